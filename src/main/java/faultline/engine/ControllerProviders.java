@@ -4,6 +4,7 @@ import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
 import faultline.control.StateTracker;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import java.net.URISyntaxException;
 import java.net.URL;
@@ -22,6 +23,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** The controllers in Java that are on the class path, or in jars that the thread's context class loader adds to it. */
 public final class ControllerProviders {
@@ -33,6 +36,11 @@ public final class ControllerProviders {
             ControllerSpec.Drive.TYPE,
             ControllerSpec.Extern.TYPE,
             ControllerSpec.Recorded.TYPE);
+
+    private static final Pattern MISSING_CLASS = Pattern.compile(": Provider (\\S+) not found$");
+    private static final Pattern NEWER_CLASS = Pattern.compile("^(\\S+) has been .*?class file version (\\d{2,4})\\.");
+    /** The version of class files is this number more than that of Java. */
+    private static final int VERSION_BEFORE_JAVA_1 = 44;
 
     private ControllerProviders() {}
 
@@ -142,8 +150,24 @@ public final class ControllerProviders {
         try {
             return ServiceLoader.load(ControllerProvider.class).stream().toList();
         } catch (ServiceConfigurationError | LinkageError e) {
-            throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e)), e);
+            throw new RunFailedException(problem(e), e);
         }
+    }
+
+    /** Says in other words what the JDK says of two frequent mistakes. */
+    private static Message problem(Error error) {
+        Matcher missing = MISSING_CLASS.matcher(String.valueOf(error.getMessage()));
+        if (missing.find()) {
+            return RunProblem.NO_CLASS.with(missing.group(1), ControllerProvider.class.getName());
+        }
+        Matcher newer = NEWER_CLASS.matcher(String.valueOf(error.getMessage()));
+        if (error instanceof UnsupportedClassVersionError && newer.find()) {
+            return RunProblem.NEWER_JAVA.with(
+                    newer.group(1).replace('/', '.'),
+                    Integer.parseInt(newer.group(2)) - VERSION_BEFORE_JAVA_1,
+                    Runtime.version().feature());
+        }
+        return RunProblem.NOT_LOADED.with(reason(error));
     }
 
     private static ControllerProvider load(ServiceLoader.Provider<ControllerProvider> type, double timeout) {

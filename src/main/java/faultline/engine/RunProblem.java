@@ -26,6 +26,12 @@ public enum RunProblem implements Message.Template {
     NOT_CREATED("the controller \"{0}\" cannot be created: {1}"),
     /** A class of a controller in Java cannot be loaded. */
     NOT_LOADED("a controller in Java cannot be loaded: {0}"),
+    /** A class of a controller in Java does not exist. */
+    NO_CLASS("a controller in Java cannot be loaded: there is no class {0}, which a file META-INF/services/{1} names;"
+            + " expected the full name of a class"),
+    /** A class of a controller in Java is too new. */
+    NEWER_JAVA("a controller in Java cannot be loaded: {0} was compiled for Java {1}, but Java {2} runs it; compile it"
+            + " with --release {2}"),
     /** A controller in Java has no name. */
     NAMELESS("the controller in Java {0} has no name: {1}"),
     /** A controller in Java has the name of a built-in one. */

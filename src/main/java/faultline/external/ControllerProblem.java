@@ -47,6 +47,9 @@ public enum ControllerProblem implements Message.Template {
     NO_JAR("there is no jar {0}"),
     /** A jar that is broken. */
     JAR_UNREADABLE("the jar {0} cannot be read: {1}"),
+    /** A jar whose controllers cannot be found. */
+    NO_SERVICE("the jar {0} has no controller, because it has no file {1}, which contains the full name of the"
+            + " controller''s class"),
     /** The hint for a misspelt name. */
     NAMES("; controllers in Java are {0}"),
 

@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.control.ControllerProvider;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -36,6 +37,7 @@ import java.util.zip.ZipFile;
 final class JarClassLoader extends ClassLoader {
 
     private static final String PROGRAM_FOLDER = "faultline/";
+    private static final String SERVICE = "META-INF/services/" + ControllerProvider.class.getName();
 
     /** A file in a jar. */
     private record Content(ProtectionDomain jar, URL url, byte[] bytes) {}
@@ -47,12 +49,13 @@ final class JarClassLoader extends ClassLoader {
      *
      * @param jars the jar files, in the order in which they are searched
      * @param parent the class loader of what the jars do not have, and of the program
-     * @throws ControllerStartException if one of these jars cannot be read
+     * @throws ControllerStartException if one of these jars cannot be read or names no controller
      */
     JarClassLoader(List<Path> jars, ClassLoader parent) {
         super(parent);
         Set<Path> done = new HashSet<>();
         for (Path jar : jars) {
+            int named = contentsOf(SERVICE).size();
             try {
                 readWithClassPath(jar.toAbsolutePath().normalize(), done);
             } catch (NoSuchFileException missing) {
@@ -61,7 +64,14 @@ final class JarClassLoader extends ClassLoader {
                 throw new ControllerStartException(
                         ControllerProblem.JAR_UNREADABLE.with(jar, String.valueOf(broken.getMessage())), broken);
             }
+            if (contentsOf(SERVICE).size() == named) {
+                throw new ControllerStartException(ControllerProblem.NO_SERVICE.with(jar, SERVICE), null);
+            }
         }
+    }
+
+    private List<Content> contentsOf(String name) {
+        return contents.getOrDefault(name, List.of());
     }
 
     /** Reads a jar and those of its class path, unless it is among those that have been read. */
@@ -164,8 +174,7 @@ final class JarClassLoader extends ClassLoader {
 
     @Override
     protected Enumeration<URL> findResources(String name) {
-        return Collections.enumeration(contents.getOrDefault(name, List.of()).stream()
-                .map(Content::url)
-                .toList());
+        return Collections.enumeration(
+                contentsOf(name).stream().map(Content::url).toList());
     }
 }

@@ -3,6 +3,7 @@ package faultline.external;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import faultline.control.ControllerProvider;
 import faultline.control.Decision;
 import java.io.IOException;
 import java.io.InputStream;
@@ -28,6 +29,7 @@ class JarClassLoaderTest {
     private JarClassLoader loader(Map<String, byte[]> files, ClassLoader parent) throws IOException {
         Path jar = folder.resolve("some.jar");
         try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
+            out.putNextEntry(new JarEntry("META-INF/services/" + ControllerProvider.class.getName()));
             for (Map.Entry<String, byte[]> file : files.entrySet()) {
                 out.putNextEntry(new JarEntry(file.getKey()));
                 out.write(file.getValue());

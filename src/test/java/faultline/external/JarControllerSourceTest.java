@@ -12,6 +12,7 @@ import faultline.engine.ControllerProviders;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.gui.text.Translations;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -214,6 +215,44 @@ class JarControllerSourceTest {
         assertEquals(
                 jar,
                 ControllerJars.callWith(List.of(jar), ControllerProviders::jars).get("late"));
+    }
+
+    @Test
+    void aJarThatNamesNoControllerIsRefusedWithTheFileThatItNeeds() throws Exception {
+        Path jar = jar("none.jar", new Manifest(), Map.of("late/Late.class", bytes("any")));
+        assertRefused(
+                "the jar " + jar + " has no controller, because it has no file " + SERVICE
+                        + ", which contains the full name of the controller's class",
+                List.of(jar(RightTurner.class.getName()), jar));
+    }
+
+    @Test
+    void aClassThatAJarLacksIsNamed() throws IOException {
+        assertRefused(
+                "a controller in Java cannot be loaded: there is no class WallBot, which a file " + SERVICE
+                        + " names; expected the full name of a class",
+                List.of(jar("WallBot")));
+    }
+
+    @Test
+    void aClassForALaterJavaIsRefusedWithTheVersions() throws Exception {
+        byte[] late = Files.readAllBytes(compileLate().resolve("Late.class"));
+        // The version of a class file is in its bytes 6 and 7.
+        late[6] = 0;
+        late[7] = 44 + 80;
+        Path jar = jar("new.jar", new Manifest(), Map.of(SERVICE, bytes("late.Late"), "late/Late.class", late));
+        int version = Runtime.version().feature();
+        assertRefused(
+                "a controller in Java cannot be loaded: late.Late was compiled for Java 80, but Java " + version
+                        + " runs it; compile it with --release " + version,
+                List.of(jar));
+    }
+
+    private static void assertRefused(String sentence, List<Path> jars) {
+        RunFailedException refusal =
+                assertThrows(RunFailedException.class, () -> ControllerJars.callWith(jars, ControllerNames::all));
+        assertEquals(sentence, refusal.getMessage());
+        Translations.assertTranslated(refusal.reason());
     }
 
     /** A provider whose constructor fails. */

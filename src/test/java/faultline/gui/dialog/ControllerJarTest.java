@@ -85,9 +85,10 @@ class ControllerJarTest {
         Path broken = jar("broken.jar", "no.such.Turner");
         useJar(broken);
         assertEquals(
-                "a controller in Java cannot be loaded: faultline.control.ControllerProvider:\n"
-                        + "Provider no.such.Turner not found",
-                callOnEdt(dialog::help));
+                "a controller in Java cannot be loaded: there is no class no.such.Turner, which a file "
+                        + "META-INF/services/" + ControllerProvider.class.getName()
+                        + " names; expected the full name of a class",
+                callOnEdt(dialog::help).replaceAll("\n", " "));
         assertEquals(COMMAND, callOnEdt(dialog::text));
         Path good = jar("turner.jar", RightTurner.class.getName());
         useJar(good);
