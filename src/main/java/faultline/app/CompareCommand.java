@@ -93,7 +93,7 @@ final class CompareCommand {
         Scenario loaded = Scenario.load(file);
         requireSeeds(loaded.setup().seed(), seeds);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
-        int code = compare(scenario, choices, seeds, options, files, windowCommands(file, choices, options));
+        int code = compare(file, scenario, choices, seeds, options, files);
         if (open && code == ExitCode.SUCCESS) {
             openWindow(file, loaded, choices, options);
         }
@@ -112,12 +112,12 @@ final class CompareCommand {
     }
 
     private int compare(
+            Path file,
             Scenario scenario,
             List<ControllerChoice> choices,
             int seeds,
             ControllerOptions options,
-            ComparisonFiles files,
-            List<String> windowCommands)
+            ComparisonFiles files)
             throws IOException {
         try (files) {
             files.open();
@@ -126,8 +126,12 @@ final class CompareCommand {
             for (ControllerChoice choice : choices) {
                 compared.add(runAll(choice, scenario, seeds, options, files.replay(compared.size()), replays));
             }
-            ControllerComparison comparison =
-                    new ControllerComparison(scenario, compared, windowCommands, options.truth());
+            ControllerComparison comparison = new ControllerComparison(
+                    scenario,
+                    file.getFileName().toString(),
+                    compared,
+                    windowCommands(file, choices, options),
+                    options.truth());
             if (options.truth()) {
                 output.println("truth: given to the controllers in child processes");
             }
@@ -220,6 +224,7 @@ final class CompareCommand {
         files.commit();
         output.println(comparison.lines());
         comparison.seedRemarks().forEach(remark -> output.println("seeds: " + remark));
+        comparison.sameRunRemarks().forEach(remark -> output.println("runs: " + remark));
         output.println("page: " + files.page());
         output.println("table: " + files.table());
         compared.forEach(this::reportRefusals);

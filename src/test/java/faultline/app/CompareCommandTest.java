@@ -228,6 +228,41 @@ class CompareCommandTest {
     }
 
     @Test
+    void thePageHasWhatAReaderNeedsToRepeatTheRuns() throws Exception {
+        Path file = folder.resolve("broken.xml");
+        Files.writeString(
+                file,
+                Files.readString(Path.of(SCENARIO))
+                        .replace(
+                                "  <expect",
+                                "<timeline><fault at='0.5' sensor='front' kind='stuck' value='0.4'/>"
+                                        + "<switch at='0.75' sensor='left' on='false'/>"
+                                        + "<remove at='0.8' obstacle='cabinet'/></timeline><expect"));
+        String[] words = "--controller none --controller wall-follower --seeds 3 --until 1".split(" ");
+        CommandResult result =
+                command(Stream.concat(Stream.of("compare", "" + file, "--out", "" + page()), Stream.of(words))
+                        .toArray(String[]::new));
+        assertEquals(0, result.code, result.err);
+        String html = Files.readString(page());
+        String conditions = "Scenario file: broken.xml. Seeds: 1 to 3. Duration: 1 s."
+                + " Timeline: front stuck=0.4 at 0.5 s, left off at 0.75 s, 1 other change. Version: faultline ";
+        assertTrue(html.contains("<p>" + conditions), html);
+        assertFalse(html.contains("are the same."), html);
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void controllersWithTheSameRunsAreNamed() throws Exception {
+        String other = STRAIGHT.replace("i=0; ", "i=0;  ");
+        CommandResult result =
+                compare("--controller", STRAIGHT, "--controller", "none", "--controller", other, "--until", "1");
+        assertEquals(0, result.code, result.err);
+        String remark = "he completed runs of the controllers 1 and 3 are the same";
+        assertTrue(result.out.contains("\nruns: t" + remark + "\n"), result.out);
+        assertTrue(Files.readString(page()).contains(" T" + remark + "."));
+    }
+
+    @Test
     void thePageNeedsNothingButItself() throws Exception {
         CommandResult result =
                 compare("--controller", "wall-follower", "--controller", "none", "--seeds", "3", "--until", "5");

@@ -10,6 +10,7 @@ import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.Shapes;
 import faultline.paint.surface.SvgSurface;
+import java.awt.BasicStroke;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -26,6 +27,7 @@ final class ComparisonChart {
     private static final double FIRST_WIDTH = 2.2;
     private static final double OTHER_WIDTH = 1;
     private static final double END_RADIUS = 3;
+    private static final double CROSS_RADIUS = 5;
 
     /** The maximum distance of a drawn path from the path of the run, pixels. */
     private static final double TOLERANCE = 0.25;
@@ -66,10 +68,24 @@ final class ComparisonChart {
                 List<Vector2> points = path.simplified(TOLERANCE / scale);
                 plan.drawLine(points, style(i).withWidth(isFirst ? FIRST_WIDTH : OTHER_WIDTH));
                 Vector2 end = plan.toPicture(points.get(points.size() - 1));
-                surface.fill(Shapes.circle(end, END_RADIUS), style(i).colour());
+                drawEnd(surface, end, runs.get(j).result().collision().isPresent(), style(i));
             }
         }
         return surface.toHtml("chart", "Paths of the controllers");
+    }
+
+    private static void drawEnd(SvgSurface surface, Vector2 end, boolean collided, LineStyle style) {
+        if (!collided) {
+            surface.fill(Shapes.circle(end, END_RADIUS), style.colour());
+            return;
+        }
+        Vector2 falling = new Vector2(CROSS_RADIUS, CROSS_RADIUS);
+        Vector2 rising = new Vector2(CROSS_RADIUS, -CROSS_RADIUS);
+        for (Vector2 half : List.of(falling, rising)) {
+            surface.draw(
+                    Shapes.polyline(List.of(end.minus(half), end.plus(half))), style.colour(), new BasicStroke((float)
+                            FIRST_WIDTH));
+        }
     }
 
     /** Returns the legend: the number and the line of each controller. */

@@ -1,11 +1,16 @@
 package faultline.campaign.report;
 
 import faultline.campaign.run.Csv;
+import faultline.engine.SimulationSetup;
+import faultline.io.DecimalText;
+import faultline.io.ProgramVersion;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -13,6 +18,7 @@ import java.util.stream.Stream;
 public final class ControllerComparison {
 
     private final Scenario scenario;
+    private final String file;
     private final List<ControllerRuns> controllers;
     private final List<String> windowCommands;
     private final boolean truth;
@@ -21,13 +27,19 @@ public final class ControllerComparison {
      * Creates a comparison.
      *
      * @param scenario the scenario of all runs
+     * @param file the name of its file
      * @param controllers the controllers, at least one, each with the same seeds
      * @param windowCommands the commands that show pairs of the controllers in the window
      * @param truth whether controllers in child processes were given the ground truth
      */
     public ControllerComparison(
-            Scenario scenario, List<ControllerRuns> controllers, List<String> windowCommands, boolean truth) {
+            Scenario scenario,
+            String file,
+            List<ControllerRuns> controllers,
+            List<String> windowCommands,
+            boolean truth) {
         this.scenario = scenario;
+        this.file = file;
         this.controllers = List.copyOf(controllers);
         this.windowCommands = List.copyOf(windowCommands);
         this.truth = truth;
@@ -139,13 +151,47 @@ public final class ControllerComparison {
     public String html() {
         String title = "Controllers in " + (scenario.name().isEmpty() ? "a scenario" : scenario.name());
         return Html.page(
-                title, scenario.description(), paths() + numbers() + refused() + spread() + inTheWindow() + broken());
+                title,
+                scenario.description(),
+                Html.paragraph(conditions()) + paths() + numbers() + refused() + spread() + inTheWindow() + broken());
+    }
+
+    /** Returns what a reader needs to repeat the runs. */
+    private String conditions() {
+        SimulationSetup setup = scenario.setup();
+        ControllerRuns any = controllers.get(0);
+        int seeds = any.runs().size() + any.broken().size();
+        String timeline = TimelineWords.of(setup.timeline());
+        return "Scenario file: " + file + ". "
+                + (seeds == 1
+                        ? "Seed: " + setup.seed()
+                        : "Seeds: " + setup.seed() + " to " + (setup.seed() + seeds - 1))
+                + ". Duration: " + DecimalText.format(setup.duration()) + " s."
+                + (timeline.isEmpty() ? "" : " Timeline: " + timeline + ".")
+                + " Version: " + ProgramVersion.text() + ".";
+    }
+
+    /** {@return a sentence for each group of controllers with the same completed runs, whose paths coincide} */
+    public List<String> sameRunRemarks() {
+        Map<List<String>, List<String>> numbers = new LinkedHashMap<>();
+        for (int i = 0; i < controllers.size(); i++) {
+            List<String> hashes = controllers.get(i).runs().stream()
+                    .map(run -> run.result().seed() + " " + RunSummary.formatHash(run.result()))
+                    .toList();
+            numbers.computeIfAbsent(hashes, runs -> new ArrayList<>()).add("" + (i + 1));
+        }
+        numbers.remove(List.of());
+        return numbers.values().stream()
+                .filter(same -> same.size() > 1)
+                .map(same -> "the completed runs of the controllers " + String.join(" and ", same) + " are the same")
+                .toList();
     }
 
     private String paths() {
         return Html.section(
                 "Paths",
-                Html.paragraph("Thick: the first seed. Thin: the others. Robot: the start. Dots: the ends.")
+                Html.paragraph("Thick: the first seed. Thin: the others. Robot: the start. Dots: the ends."
+                                + " Crosses: the ends of runs with a collision." + sentences(sameRunRemarks()))
                         + ComparisonChart.paths(scenario.setup(), controllers)
                         + ComparisonChart.legend(controllers));
     }
@@ -159,13 +205,13 @@ public final class ControllerComparison {
                 Html.paragraph("Means over the seeds with their 95 % confidence intervals;"
                                 + " n: the runs that have the number, if not all do."
                                 + (truth ? " Controllers in child processes were given the ground truth." : "")
-                                + seedSentences())
+                                + sentences(seedRemarks()))
                         + Html.table("numbers", header(), rows)
                         + pairedDifferences());
     }
 
-    private String seedSentences() {
-        return seedRemarks().stream()
+    private static String sentences(List<String> remarks) {
+        return remarks.stream()
                 .map(remark -> " " + Character.toUpperCase(remark.charAt(0)) + remark.substring(1) + ".")
                 .collect(Collectors.joining());
     }

@@ -33,6 +33,8 @@ class ComparisonChartTest {
 
     private static final Pattern FRAME =
             Pattern.compile("<path d=\"M([\\d.]+) [\\d.]+L([\\d.]+) [^\"]*Z\" fill=\"none\" stroke=\"#1f2430\"");
+    private static final Pattern CROSS_LINE =
+            Pattern.compile("<path d=\"M([\\d.]+) [\\d.]+L([\\d.]+) [\\d.]+\" fill=\"none\" [^>]*linejoin=\"miter\"");
     private static final Pattern DOT = Pattern.compile("<circle cx=\"([\\d.]+)\"()");
 
     private static ControllerRuns.ComparedRun run(double seconds) {
@@ -160,6 +162,19 @@ class ComparisonChartTest {
         assertEquals(frame[0], dots[0], 0.01, "no collision");
         assertTrue(svg.contains(">0.8</text>"), svg);
         assertTrue(svg.contains(">" + Metric.COLLISION.meaning() + "</text>"), svg);
+    }
+
+    @Test
+    void aRunWithACollisionEndsInACross() {
+        SimulationSetup blind = SimulationSetup.of(new WorldSpec(3, 2, true, 0, List.of()), new Pose(2.6, 1, 0))
+                .withController(new ControllerSpec.Drive(3, 3))
+                .withDuration(3);
+        ControllerRuns.ComparedRun collided = run(blind);
+        assertTrue(collided.result().collision().isPresent());
+        String svg = ComparisonChart.paths(
+                blind, List.of(new ControllerRuns("blind", List.of(collided, run(1)), List.of())));
+        assertEquals(1, places(DOT, svg).size(), "the other run");
+        assertEquals(2, places(CROSS_LINE, svg).size(), svg);
     }
 
     private static long thickLines(String svg) {
