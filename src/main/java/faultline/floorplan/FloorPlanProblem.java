@@ -19,6 +19,8 @@ public enum FloorPlanProblem implements Message.Template {
     MISSPELT_KEY("there is no \"{0}\"; \"{1}\" may be a misspelling of it"),
     /** The map file is not text. */
     NOT_UTF_8("the file is not UTF-8 text"),
+    /** The map file has a character that no YAML file has. */
+    CONTROL_CHARACTER("the character U+{0} is not allowed in YAML; the file may be damaged"),
     /** The kind of file that is expected. */
     MAP_FILE("map file"),
     /** The rule for any number. */
@@ -39,6 +41,8 @@ public enum FloorPlanProblem implements Message.Template {
     IMAGE_NAME("the name of an image file"),
     /** The rule for {@code image} if the named file does not exist. */
     EXISTING_IMAGE("the name of an image file, but there is no file {0}"),
+    /** The rule for {@code image} if the named file is a folder or a device. */
+    REGULAR_IMAGE("the name of an image file, but {0} is not a regular file"),
     /** The image does not exist. */
     NO_SUCH_IMAGE("there is no such image file"),
     /** The path of the image is not a regular file. */
@@ -67,6 +71,8 @@ public enum FloorPlanProblem implements Message.Template {
     PIXEL_VALUE("pixel {0} is {1}; expected 0 to {2}"),
     /** A portable grey map lacks a number. */
     MISSING_NUMBER("{0} is missing at byte {1}"),
+    /** A portable grey map has something else in the place of a number. */
+    WRONG_NUMBER("{0} is \"{1}\" at byte {2}; expected a whole number"),
     /** The missing number is the width. */
     WIDTH("the width"),
     /** The missing number is the height. */

@@ -12,6 +12,8 @@ import java.util.regex.Pattern;
  */
 final class MapYamlLines {
 
+    static final String LINE_BREAK = "\r\n|[\r\n]";
+
     /** A key with a colon, as opposed to the continuation of a value. */
     private static final Pattern ENTRY = Pattern.compile("[\\w\"']+\\s*:(\\s.*)?", Pattern.DOTALL);
 
@@ -39,7 +41,7 @@ final class MapYamlLines {
     record YamlLine(int number, String text) {}
 
     private MapYamlLines(String text, List<String> keys) {
-        this.source = text.replaceFirst("^\uFEFF", "").split("\r\n|[\r\n]", -1);
+        this.source = text.split(LINE_BREAK, -1);
         this.keys = keys;
         unclosed = Map.of('"', newIndents(), '\'', newIndents());
     }

@@ -21,6 +21,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Reads the YAML files of ROS map_server: one mapping, in lines or in braces, of plain or quoted scalars, and
@@ -33,6 +35,9 @@ final class MapYamlReader {
     private static final double MAX_YAW = 17_000;
 
     private static final int MAX_SHOWN_PATH = 1000;
+
+    /** What YAML does not allow in a file, of the control characters. */
+    private static final Pattern CONTROL = Pattern.compile("[\\p{Cntrl}\\x80-\\x9F&&[^\\t\\n\\r\\x85]]");
 
     private static final List<String> KEYS =
             List.of("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode");
@@ -59,7 +64,7 @@ final class MapYamlReader {
      */
     static MapDescription read(Path file) throws FloorPlanException {
         MapYamlReader reader = new MapYamlReader(file);
-        reader.parse(readText(file));
+        reader.parse(readText(file).replaceFirst("^\uFEFF", ""));
         return reader.toDescription();
     }
 
@@ -91,6 +96,7 @@ final class MapYamlReader {
     }
 
     private void parse(String text) throws FloorPlanException {
+        requirePrintable(text);
         String listKey = "";
         for (MapYamlLines.YamlLine line : MapYamlLines.of(text, KEYS)) {
             String content = line.text().strip();
@@ -103,6 +109,19 @@ final class MapYamlReader {
             } else if (!isMark(line.text())) {
                 listKey = parseEntry(line.number(), 1, line.text());
             }
+        }
+    }
+
+    /** Throws an exception at the first control character; with one in its name, a key would be ignored as unknown. */
+    private void requirePrintable(String text) throws FloorPlanException {
+        Matcher control = CONTROL.matcher(text);
+        if (control.find()) {
+            String[] lines = text.substring(0, control.start()).split(MapYamlLines.LINE_BREAK, -1);
+            throw problem(
+                    lines.length,
+                    lines[lines.length - 1].length() + 1,
+                    FloorPlanProblem.CONTROL_CHARACTER.with(String.format(
+                            Locale.ROOT, "%04X", (int) control.group().charAt(0))));
         }
     }
 
@@ -182,7 +201,8 @@ final class MapYamlReader {
     private static Message existingImage(Path image) {
         return image.toString().length() > MAX_SHOWN_PATH
                 ? FloorPlanProblem.IMAGE_NAME.with()
-                : FloorPlanProblem.EXISTING_IMAGE.with(MessageText.oneLine(image.toString()));
+                : (Files.exists(image) ? FloorPlanProblem.REGULAR_IMAGE : FloorPlanProblem.EXISTING_IMAGE)
+                        .with(MessageText.oneLine(image.toString()));
     }
 
     private Path imageFile() throws FloorPlanException {

@@ -1,6 +1,7 @@
 package faultline.floorplan;
 
 import faultline.io.Message;
+import faultline.io.MessageText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
@@ -10,6 +11,7 @@ import java.util.function.Supplier;
 final class PgmReader {
 
     private static final int MAX_SAMPLE = 65535;
+    private static final int MAX_WORD = 100;
 
     private final Path file;
     private final InputStream in;
@@ -100,10 +102,23 @@ final class PgmReader {
             number = Math.min(Integer.MAX_VALUE, number * 10 + next - '0');
             advance();
         }
+        if (position == begin && next >= 0) {
+            throw new FloorPlanException(file, FloorPlanProblem.WRONG_NUMBER.with(name.get(), readWord(), begin));
+        }
         if (position == begin) {
             throw new FloorPlanException(file, FloorPlanProblem.MISSING_NUMBER.with(name.get(), begin));
         }
         return (int) number;
+    }
+
+    /** Returns the bytes before the next blank as text, shortened if there are many. */
+    private String readWord() throws IOException {
+        StringBuilder word = new StringBuilder();
+        while (next >= 0 && !Character.isWhitespace(next) && word.length() < MAX_WORD) {
+            word.append((char) next);
+            advance();
+        }
+        return MessageText.excerpt(word.toString());
     }
 
     private void skipBlanksAndComments() throws IOException {

@@ -377,6 +377,30 @@ class FloorPlanTest {
         assertEquals(folder + "/" + expected, e.getMessage().replace('\\', '/'));
     }
 
+    /** Such a character would make an unknown key of a known one, which would be ignored. */
+    @ParameterizedTest
+    @CsvSource({"0, 0000", "27, 001B", "12, 000C", "127, 007F", "128, 0080"})
+    void aControlCharacterInAMapFileIsReportedWithItsPlace(int character, String code) throws IOException {
+        write("m.pgm", PLAIN);
+        Path yaml = write("m.yaml", "image: m.pgm\r\nresolution: 1 # \t\n  " + (char) character + "negate: 1\n");
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(
+                yaml + ":3:3: the character U+" + code + " is not allowed in YAML; the file may be damaged",
+                e.getMessage());
+    }
+
+    @Test
+    void aFolderInThePlaceOfAnImageIsReported() throws IOException {
+        Path yaml = write("m.yaml", "image: .\nresolution: 1\n");
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(
+                yaml + ":1:8: image is \".\"; expected the name of an image file, but " + yaml.resolveSibling(".")
+                        + " is not a regular file",
+                e.getMessage());
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -389,7 +413,10 @@ class FloorPlanTest {
             P5 2 9 65535 0           | the image ends after 1 bytes of pixels, 36 are needed
             P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
             P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
-            P2 2 x                   | the height is missing at byte 5
+            P2 2                     | the height is missing at byte 4
+            P2 2 x                   | the height is "x" at byte 5; expected a whole number
+            P5 -5 5 255              | the width is "-5" at byte 3; expected a whole number
+            P2 2 1 255 0 x1          | pixel 2 is "x1" at byte 13; expected a whole number
             not an image             | the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
             """)
     void aDamagedImageIsReportedInOneSentence(String content, String expected) throws IOException {

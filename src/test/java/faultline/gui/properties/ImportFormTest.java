@@ -245,7 +245,7 @@ class ImportFormTest {
             delimiter = '|',
             textBlock =
                     """
-            broken.pgm  | P5 hello               | W bajcie 3 brakuje szerokości
+            broken.pgm  | P5 hello               | Wartość szerokości w bajcie 3 to "hello"; dozwolone: liczba całkowita
             broken.png  | hello                  | Format obrazu nie jest obsługiwany; dozwolone: PGM (P2, P5), PNG, BMP, GIF lub TIFF
             broken.yaml | resolution: fast       | FILE:1:1: brakuje "image"; plik mapy musi to zawierać
             broken.yaml | {image: a, mode: trinar, resolution: 1} | FILE:1:18: mode to "trinar"; dozwolone: trinary, scale, raw; czy chodziło o "trinary"?
