@@ -76,6 +76,15 @@ class HostileFilesTest {
                 problemIn("<scenario name=\"\u00ff\"/>".getBytes(StandardCharsets.ISO_8859_1)));
     }
 
+    /** A file that was written twice or padded by a crash. */
+    @ParameterizedTest
+    @ValueSource(strings = {"<scenario/>", "x", "\0\0"})
+    void whatFollowsTheRootElementIsReported(String rest) throws IOException {
+        String problem = problemIn(OPEN + "</scenario>\n" + rest);
+        assertEquals(
+                "there is text after the end of <scenario>; expected the end of the file", problem.split(": ", 2)[1]);
+    }
+
     @Test
     void aFileInUtf16ThatSaysUtf8IsReportedAsSuch() throws IOException {
         for (Charset charset : List.of(StandardCharsets.UTF_16BE, StandardCharsets.UTF_16LE, StandardCharsets.UTF_16)) {

@@ -76,6 +76,8 @@ public enum ProblemKind implements Message.Template {
     MALFORMED("this is not well-formed XML"),
     /** The XML is not well-formed after a certain text. */
     MALFORMED_AFTER("this is not well-formed XML, after \"{0}\""),
+    /** Something follows the root element. */
+    AFTER_ROOT("there is text after the end of <{0}>; expected the end of the file"),
     /** The XML is not well-formed inside an element. */
     MALFORMED_INSIDE("this is not well-formed XML, inside <{0}> of line {1}"),
     /** The XML is not well-formed after a certain text inside an element. */

@@ -42,8 +42,12 @@ final class SyntaxProblem {
         }
         String before = excerpt(e);
         List<XmlElement> open = tree.openElements();
+        if (open.isEmpty() && tree.root().isPresent()) {
+            return ProblemKind.AFTER_ROOT.with(
+                    MessageText.oneLine(tree.root().get().name()));
+        }
         if (open.isEmpty()) {
-            return tree.root().isEmpty() && !beginsRoot() ? describeNoXml(before) : describeMalformed(before);
+            return !beginsRoot() ? describeNoXml(before) : describeMalformed(before);
         }
         String element = MessageText.oneLine(open.get(0).name());
         int line = open.get(0).location().line();
