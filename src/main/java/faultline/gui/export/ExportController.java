@@ -1,5 +1,6 @@
 package faultline.gui.export;
 
+import faultline.engine.SimulationSetup;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
@@ -71,7 +72,10 @@ public final class ExportController implements WorkspaceListener {
     private final List<ExportTask> tasks = new ArrayList<>();
     /** What waits until all exports are complete, null for nothing. */
     private Runnable afterExports;
-    /** The first tick of the newest recording, or {@link #NO_RECORDING}. */
+    /** The number of exports that have failed or were cancelled. */
+    private int failures;
+
+    /** The first tick of the newest recording, or {@link #NO_RECORDING}, which is less than all ticks. */
     private long recordingStart = NO_RECORDING;
 
     /**
@@ -221,9 +225,7 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private Optional<AnimatedGifExport> recording(RenderRequest request) {
-        // A run that has been restarted since is exported from its start.
-        long from = recordingStart <= tick() ? recordingStart : 0;
-        return workspace.replayScenario().map(run -> new AnimatedGifExport(request, run, from));
+        return workspace.replayScenario().map(run -> new AnimatedGifExport(request, run, recordingStart));
     }
 
     /**
@@ -256,10 +258,11 @@ public final class ExportController implements WorkspaceListener {
             return;
         }
         String names = tasks.stream().map(ExportTask::name).collect(Collectors.joining(", "));
+        int before = failures;
         int answer = exitQuestion.applyAsInt(Messages.get("export.exit", names));
         if (answer == 0 && !tasks.isEmpty()) {
             afterExports = action;
-        } else if (answer == 0 || answer == 1) {
+        } else if (answer == 0 && failures == before || answer == 1) {
             action.run();
         }
     }
@@ -295,6 +298,21 @@ public final class ExportController implements WorkspaceListener {
     public void scenarioOpened() {
         recordGif.setOn(false);
         recordingStart = NO_RECORDING;
+    }
+
+    @Override
+    public void scenarioRestarted(SimulationSetup before) {
+        beginRecordingBy(0);
+    }
+
+    @Override
+    public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
+        beginRecordingBy(tick);
+    }
+
+    /** Moves the start of a recording back to the tick from which the run is simulated again, if it is later. */
+    private void beginRecordingBy(long tick) {
+        recordingStart = Math.min(recordingStart, tick);
     }
 
     private long tick() {
@@ -372,6 +390,7 @@ public final class ExportController implements WorkspaceListener {
                     runAfterExports();
                 },
                 failure -> {
+                    failures++;
                     afterExports = null;
                     otherwise.run();
                     if (!(failure instanceof CancellationException)) {

@@ -35,6 +35,8 @@ import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.Color;
+import java.awt.SecondaryLoop;
+import java.awt.Toolkit;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.ClipboardOwner;
 import java.awt.datatransfer.DataFlavor;
@@ -254,6 +256,24 @@ class ExportControllerTest {
     }
 
     @Test
+    void aRecordingHasTheWholeRunThatIsStartedAgain() throws IOException {
+        runOnEdt(() -> setRecording(true));
+        runOnEdt(run::restart);
+        Await.until("the restart", () -> SessionFrames.tick(workspace) == 0);
+        stepTo(STEPS + 6);
+        assertEquals(4, recordedFrameCount(), "ticks 0, 5, 10 and 15 of 18");
+    }
+
+    @Test
+    void aRecordingHasTheRunFromTheTimeToWhichItIsMovedBack() throws IOException {
+        runOnEdt(() -> setRecording(true));
+        runOnEdt(() -> run.navigator().seek(7));
+        SessionFrames.awaitTick(workspace, 7);
+        stepTo(STEPS + 6);
+        assertEquals(3, recordedFrameCount(), "ticks 7, 12 and 17 of 18");
+    }
+
+    @Test
     void aRecordingEndsWithItsScenario() {
         runOnEdt(() -> setRecording(true));
         runOnEdt(controller::scenarioOpened);
@@ -346,6 +366,26 @@ class ExportControllerTest {
         });
         Await.until("the end", () -> !written.isEmpty());
         runOnEdt(() -> assertEquals(answer == 1 ? 1 : 0, sentences.size(), "closed later"));
+    }
+
+    @Test
+    void theWindowStaysIfTheExportFailsDuringTheQuestion() throws IOException {
+        Files.createDirectory(folder.resolve("out.csv"));
+        runOnEdt(() -> {
+            SecondaryLoop open =
+                    Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
+            controller.setErrorDialog(sentence -> {
+                sentences.add(sentence);
+                open.exit();
+            });
+            controller.setExitQuestion(question -> {
+                open.enter();
+                return 0;
+            });
+            perform("exportCsv");
+            controller.runIfExportsHandled(() -> sentences.add("closed"));
+            assertEquals(1, sentences.size(), sentences::toString);
+        });
     }
 
     @Test
