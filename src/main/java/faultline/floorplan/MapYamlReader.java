@@ -36,8 +36,8 @@ final class MapYamlReader {
 
     private static final int MAX_SHOWN_PATH = 1000;
 
-    /** What YAML does not allow in a file, of the control characters. */
-    private static final Pattern CONTROL = Pattern.compile("[\\p{Cntrl}\\x80-\\x9F&&[^\\t\\n\\r\\x85]]");
+    /** The control characters that are not allowed in a file; a form feed is a blank, although YAML forbids it. */
+    private static final Pattern CONTROL = Pattern.compile("[\\p{Cntrl}\\x80-\\x9F&&[^\\t\\n\\r\\f\\x85]]");
 
     private static final List<String> KEYS =
             List.of("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode");

@@ -379,7 +379,7 @@ class FloorPlanTest {
 
     /** Such a character would make an unknown key of a known one, which would be ignored. */
     @ParameterizedTest
-    @CsvSource({"0, 0000", "27, 001B", "12, 000C", "127, 007F", "128, 0080"})
+    @CsvSource({"0, 0000", "27, 001B", "11, 000B", "127, 007F", "128, 0080"})
     void aControlCharacterInAMapFileIsReportedWithItsPlace(int character, String code) throws IOException {
         write("m.pgm", PLAIN);
         Path yaml = write("m.yaml", "image: m.pgm\r\nresolution: 1 # \t\n  " + (char) character + "negate: 1\n");

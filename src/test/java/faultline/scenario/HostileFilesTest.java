@@ -86,6 +86,12 @@ class HostileFilesTest {
     }
 
     @Test
+    void aWrongCommentAfterTheRootElementIsReportedWhereItBreaks() throws IOException {
+        String problem = problemIn(OPEN + "</scenario>\n<!-- a -- b -->");
+        assertEquals("this is not well-formed XML, after \"<!-- a --\"", problem.split(": ", 2)[1]);
+    }
+
+    @Test
     void aFileInUtf16ThatSaysUtf8IsReportedAsSuch() throws IOException {
         for (Charset charset : List.of(StandardCharsets.UTF_16BE, StandardCharsets.UTF_16LE, StandardCharsets.UTF_16)) {
             assertEquals(

@@ -42,18 +42,28 @@ final class SyntaxProblem {
         }
         String before = excerpt(e);
         List<XmlElement> open = tree.openElements();
-        if (open.isEmpty() && tree.root().isPresent()) {
-            return ProblemKind.AFTER_ROOT.with(
-                    MessageText.oneLine(tree.root().get().name()));
-        }
         if (open.isEmpty()) {
-            return !beginsRoot() ? describeNoXml(before) : describeMalformed(before);
+            return tree.root().map(root -> describeRest(root, before)).orElseGet(() -> describeBeginning(before));
         }
         String element = MessageText.oneLine(open.get(0).name());
         int line = open.get(0).location().line();
         return before.isEmpty()
                 ? ProblemKind.MALFORMED_INSIDE.with(element, line)
                 : ProblemKind.MALFORMED_AFTER_INSIDE.with(before, element, line);
+    }
+
+    private Message describeBeginning(String before) {
+        return beginsRoot() ? describeMalformed(before) : describeNoXml(before);
+    }
+
+    /** Describes an error after the root element, where only comments and instructions are allowed. */
+    private Message describeRest(XmlElement root, String before) {
+        String text = new String(bytes, StandardCharsets.UTF_8);
+        int end = text.lastIndexOf("</");
+        String rest = text.substring(text.indexOf('>', end) + 1).strip();
+        return rest.startsWith("<!--") || rest.startsWith("<?")
+                ? describeMalformed(before)
+                : ProblemKind.AFTER_ROOT.with(MessageText.oneLine(root.name()));
     }
 
     /** Every second byte of the beginning is zero, or there is the mark of UTF-16. */
