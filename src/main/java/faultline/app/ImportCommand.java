@@ -61,8 +61,8 @@ final class ImportCommand {
             return FloorPlanScenario.create(name, plan);
         } catch (FloorPlanException e) {
             String settings = yaml
-                    ? "resolution, occupied_thresh and negate in the map file, or --start"
-                    : "--resolution, --threshold, --negate or --start";
+                    ? "resolution, occupied_thresh and negate in the map file, --unknown or --start"
+                    : "--resolution, --threshold, --negate, --unknown or --start";
             throw new FloorPlanException(
                     plan.description().image(), FloorPlanProblem.SETTINGS.with(e.reason(), settings));
         }

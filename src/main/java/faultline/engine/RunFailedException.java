@@ -63,8 +63,8 @@ public class RunFailedException extends RuntimeException {
     }
 
     /**
-     * Returns an exception of a controller as text, which its own methods may fail to give, and the place in the
-     * controller's code that threw it, if there is one.
+     * Returns an exception of a controller as text, which its own methods may fail to give, and the line that threw it,
+     * if there is one outside of the JDK and this program.
      */
     static String describe(Throwable exception) {
         try {
@@ -79,8 +79,8 @@ public class RunFailedException extends RuntimeException {
     }
 
     /**
-     * Returns the innermost frame of neither the JDK, whose classes are in modules, nor this program. The frames that
-     * the caller of the controller is in itself, such as those of a test, are not the controller's.
+     * Returns the innermost frame of neither the JDK nor this program. The frames that the caller of the controller is
+     * in itself, such as those of a test, are not the controller's.
      */
     private static Optional<StackTraceElement> place(StackTraceElement[] thrown, StackTraceElement[] caller) {
         int own = thrown.length;
@@ -88,8 +88,12 @@ public class RunFailedException extends RuntimeException {
             own--;
         }
         return Arrays.stream(thrown, 0, own)
-                .filter(frame ->
-                        frame.getModuleName() == null && !frame.getClassName().startsWith("faultline."))
+                .filter(frame -> !isOfJdk(frame) && !frame.getClassName().startsWith("faultline."))
                 .findFirst();
+    }
+
+    private static boolean isOfJdk(StackTraceElement frame) {
+        String module = frame.getModuleName();
+        return module != null && (module.startsWith("java.") || module.startsWith("jdk."));
     }
 }

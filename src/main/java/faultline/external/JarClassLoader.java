@@ -31,8 +31,8 @@ import java.util.zip.ZipFile;
 
 /**
  * Loads classes and resources from copies of jars in memory. The jars are closed when they have been read, so they can
- * be replaced while their classes are in use. What a jar has replaces what the class path has under the same name,
- * except the classes of this program and of the JDK, which the jar shares with the program.
+ * be replaced while their classes are in use. A class or resource of a jar replaces the one of the class path of the
+ * same name, except the classes of this program and of the JDK, which the jar shares with the program.
  */
 final class JarClassLoader extends ClassLoader {
 
@@ -55,6 +55,9 @@ final class JarClassLoader extends ClassLoader {
         super(parent);
         Set<Path> done = new HashSet<>();
         for (Path jar : jars) {
+            if (done.contains(jar.toAbsolutePath().normalize())) {
+                continue;
+            }
             int named = contentsOf(SERVICE).size();
             try {
                 readWithClassPath(jar.toAbsolutePath().normalize(), done);

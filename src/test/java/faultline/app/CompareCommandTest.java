@@ -245,7 +245,8 @@ class CompareCommandTest {
         assertEquals(0, result.code, result.err);
         String html = Files.readString(page());
         String conditions = "Scenario file: broken.xml. Seeds: 1 to 3. Duration: 1 s."
-                + " Timeline: front stuck=0.4 at 0.5 s, left off at 0.75 s, 1 other change. Version: faultline ";
+                + " Timeline: front stuck=0.4 at 0.5 s, left switched off at 0.75 s, 1 other change."
+                + " Version: faultline ";
         assertTrue(html.contains("<p>" + conditions), html);
         assertFalse(html.contains("are the same."), html);
     }

@@ -141,11 +141,12 @@ class ImportCommandTest {
         assertEquals(
                 2, commandLine().run("import", image.toString(), "--out", folder + "/x.xml", "--resolution", "0.05"));
         assertEquals(
-                problem + "--resolution, --threshold, --negate or --start\n", err.toString(StandardCharsets.UTF_8));
+                problem + "--resolution, --threshold, --negate, --unknown or --start\n",
+                err.toString(StandardCharsets.UTF_8));
         err.reset();
         assertEquals(2, commandLine().run("import", map.toString(), "--out", folder + "/x.xml"));
         assertEquals(
-                problem + "resolution, occupied_thresh and negate in the map file, or --start\n",
+                problem + "resolution, occupied_thresh and negate in the map file, --unknown or --start\n",
                 err.toString(StandardCharsets.UTF_8));
     }
 

@@ -248,6 +248,13 @@ class JarControllerSourceTest {
                 List.of(jar));
     }
 
+    @Test
+    void aJarMayBeNamedAgain() throws Exception {
+        Path jar = jar("turner.jar", new Manifest(), Map.of(SERVICE, bytes(RightTurner.class.getName())));
+        List<String> names = ControllerJars.callWith(List.of(jar, jar), ControllerNames::all);
+        assertTrue(names.contains("right-turner"), names::toString);
+    }
+
     private static void assertRefused(String sentence, List<Path> jars) {
         RunFailedException refusal =
                 assertThrows(RunFailedException.class, () -> ControllerJars.callWith(jars, ControllerNames::all));

@@ -36,7 +36,7 @@ final class TimelineWords {
     /** Returns a command in words; empty for one that is no switch, fault or repair. */
     private static String word(Command command) {
         return command.match(new Command.CommandCases<>(
-                switched -> switched.sensor() + (switched.on() ? " on" : " off"),
+                switched -> switched.sensor() + (switched.on() ? " switched on" : " switched off"),
                 sensor -> "",
                 broken -> broken.sensor()
                         + fault(

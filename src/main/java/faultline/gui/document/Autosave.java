@@ -147,7 +147,9 @@ public final class Autosave implements AutoCloseable {
                 failure -> log(Level.WARNING, "the recovery file cannot be written or deleted", failure));
     }
 
-    /** Logs a failure. That of a file, which has a level, is no defect of the program: its stack trace is of no use. */
+    /**
+     * Logs a failure; one of a file at its own level and without a stack trace, because it is no defect of the program.
+     */
     private static void log(Level ofFile, String what, Throwable failure) {
         if (failure instanceof IOException) {
             LOG.log(ofFile, () -> what + ": " + failure);

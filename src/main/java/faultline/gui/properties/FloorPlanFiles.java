@@ -62,13 +62,14 @@ public final class FloorPlanFiles {
         } catch (FloorPlanException e) {
             String start = Messages.get("import.findsStart");
             String settings = yaml
-                    ? Messages.get("import.settings.map", start)
+                    ? Messages.get("import.settings.map", start, Messages.get("import.unknown"))
                     : Messages.get(
                             "import.settings.image",
                             Messages.get("import.resolution"),
                             Messages.get("import.negate"),
                             Messages.get("import.threshold"),
-                            start);
+                            start,
+                            Messages.get("import.unknown"));
             throw new FloorPlanException(
                     plan.description().image(), FloorPlanProblem.SETTINGS.with(e.reason(), settings));
         }

@@ -23,8 +23,8 @@ import java.util.regex.Pattern;
 /** Describes exceptions to users. */
 public final class ErrorMessages {
 
-    /** The beginning of the JDK's message about a program, such as the one that sends pages to a printer. */
-    private static final Pattern NOT_STARTED = Pattern.compile("^Cannot run program \"([^\"]+)\"");
+    /** The JDK's message about a program that does not exist, such as the one that sends pages to a printer. */
+    private static final Pattern NOT_STARTED = Pattern.compile("^Cannot run program \"([^\"]+)\".*error=2\\b");
 
     private ErrorMessages() {}
 

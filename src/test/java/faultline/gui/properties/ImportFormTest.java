@@ -208,7 +208,8 @@ class ImportFormTest {
                 form,
                 "The robot, 0.25 m long and 0.2 m wide, has no room in the free space of this map of 3 x 2 m;"
                         + " what may help: \"Side of a pixel, m\", \"Light pixels are walls\","
-                        + " \"Wall threshold, 0 to 1\", or a start without \"Start in the largest free space\"");
+                        + " \"Wall threshold, 0 to 1\", \"Unknown cells are walls\","
+                        + " or a start without \"Start in the largest free space\"");
         runOnEdt(() -> ComponentFinder.find(form, JCheckBox.class, "Light pixels are walls")
                 .doClick());
         awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 4");
@@ -226,7 +227,8 @@ class ImportFormTest {
         assertTrue(
                 form.status()
                         .endsWith("what may help: resolution, occupied_thresh and negate in the map file,"
-                                + " or a start without \"Start in the largest free space\""),
+                                + " \"Unknown cells are walls\", or a start without"
+                                + " \"Start in the largest free space\""),
                 form.status());
         assertFalse(callOnEdt(() -> ComponentFinder.findAll(form, JCheckBox.class)
                 .anyMatch(box -> box.getText().equals("Light pixels are walls"))));
@@ -245,11 +247,11 @@ class ImportFormTest {
             delimiter = '|',
             textBlock =
                     """
-            broken.pgm  | P5 hello               | Wartość szerokości w bajcie 3 to "hello"; dozwolone: liczba całkowita
+            broken.pgm  | P5 hello               | W bajcie 3 zamiast szerokości jest "hello"; dozwolone: liczba całkowita
             broken.png  | hello                  | Format obrazu nie jest obsługiwany; dozwolone: PGM (P2, P5), PNG, BMP, GIF lub TIFF
             broken.yaml | resolution: fast       | FILE:1:1: brakuje "image"; plik mapy musi to zawierać
             broken.yaml | {image: a, mode: trinar, resolution: 1} | FILE:1:18: mode to "trinar"; dozwolone: trinary, scale, raw; czy chodziło o "trinary"?
-            tiny.pgm    | P2 2 2 255 9 255 255 9 | Robot o długości 0.25 m i szerokości 0.2 m nie mieści się w wolnym miejscu tej mapy o wymiarach 0.1 x 0.1 m; może pomóc: "Bok piksela, m", "Jasne piksele to ściany", "Próg ściany, od 0 do 1" lub start bez opcji "Start w największym wolnym miejscu"
+            tiny.pgm    | P2 2 2 255 9 255 255 9 | Robot o długości 0.25 m i szerokości 0.2 m nie mieści się w wolnym miejscu tej mapy o wymiarach 0.1 x 0.1 m; może pomóc: "Bok piksela, m", "Jasne piksele to ściany", "Próg ściany, od 0 do 1", "Nieznane komórki to ściany" lub start bez opcji "Start w największym wolnym miejscu"
             """)
     void aBrokenPlanIsReportedInPolish(String name, String content, String sentence) throws IOException {
         Messages.setLanguage(Language.POLISH);

@@ -124,7 +124,7 @@ class ProblemTranslationTest {
                         "w bajcie 12 brakuje piksela 2"),
                 Arguments.of(
                         FloorPlanProblem.WRONG_NUMBER.with(FloorPlanProblem.PIXEL.with(2), "x", 12),
-                        "wartość piksela 2 w bajcie 12 to \"x\"; dozwolone: liczba całkowita"),
+                        "w bajcie 12 zamiast piksela 2 jest \"x\"; dozwolone: liczba całkowita"),
                 Arguments.of(
                         ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()),
                         "nie można zapisać scenariusza: zapisany plik dałby po wczytaniu inny scenariusz"));
