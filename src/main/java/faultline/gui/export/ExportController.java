@@ -5,9 +5,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
-import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
-import faultline.gui.document.FileNames;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.instrument.StripContent;
@@ -30,16 +28,12 @@ import java.awt.print.PrinterAbortException;
 import java.awt.print.PrinterJob;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import java.util.function.ToIntFunction;
-import java.util.stream.Collectors;
 import javax.print.PrintService;
 import javax.swing.JOptionPane;
 
@@ -58,8 +52,8 @@ public final class ExportController implements WorkspaceListener {
     private final Workspace workspace;
     private final SimulationCanvas canvas;
     private final BiFunction<String, String, Optional<Path>> fileSelector;
-    private final Consumer<Path> onWritten;
     private final Notes notes;
+    private final RunningExports exports;
     private final UiAction recordGif = UiAction.toggle("record", false, this::recordGif)
             .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_M))
             .withIcon(Glyph.RECORD);
@@ -68,13 +62,6 @@ public final class ExportController implements WorkspaceListener {
     private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
     private Supplier<Optional<Boolean>> discardQuestion = () -> Optional.of(true);
     private Consumer<String> errorDialog = this::showErrorDialog;
-    private ToIntFunction<String> exitQuestion = this::askToExit;
-    private final List<ExportTask> tasks = new ArrayList<>();
-    /** What waits until all exports are complete, null for nothing. */
-    private Runnable afterExports;
-    /** The number of exports that have failed or were cancelled. */
-    private int failures;
-
     /** The first tick of the newest recording, or {@link #NO_RECORDING}, which is less than all ticks. */
     private long recordingStart = NO_RECORDING;
 
@@ -94,8 +81,8 @@ public final class ExportController implements WorkspaceListener {
         this.workspace = workspace;
         this.canvas = canvas;
         this.fileSelector = fileSelector;
-        this.onWritten = onWritten;
         this.notes = notes;
+        exports = new RunningExports(parent, onWritten, sentence -> errorDialog.accept(sentence), notes);
         workspace.addListener(this);
     }
 
@@ -119,9 +106,9 @@ public final class ExportController implements WorkspaceListener {
         errorDialog = newDialog;
     }
 
-    /** Sets what asks whether to exit, given a sentence: 0 to wait before that, 1 to cancel the exports. */
-    void setExitQuestion(ToIntFunction<String> newQuestion) {
-        exitQuestion = newQuestion;
+    /** Returns the exports that are being written. */
+    public RunningExports exports() {
+        return exports;
     }
 
     /** Returns the actions of the controller. */
@@ -213,7 +200,7 @@ public final class ExportController implements WorkspaceListener {
                 }
                 file = selectFile("exportGif", ".gif");
             }
-            write(file.get(), recording, () -> {}, () -> resumeRecording(start));
+            exports.start(file.get(), recording, () -> {}, () -> resumeRecording(start));
         });
     }
 
@@ -247,49 +234,13 @@ public final class ExportController implements WorkspaceListener {
         });
     }
 
-    /**
-     * Runs an action that closes the window, after asking whether to wait for the exports that are being written. The
-     * action does not run if the user wants to stay, or waits for an export that fails or is cancelled.
-     */
-    public void runIfExportsHandled(Runnable action) {
-        afterExports = null;
-        if (tasks.isEmpty()) {
-            action.run();
-            return;
-        }
-        String names = tasks.stream().map(ExportTask::name).collect(Collectors.joining(", "));
-        int before = failures;
-        int answer = exitQuestion.applyAsInt(Messages.get("export.exit", names));
-        if (answer == 0 && !tasks.isEmpty()) {
-            afterExports = action;
-        } else if (answer == 0 && failures == before || answer == 1) {
-            action.run();
-        }
-    }
-
-    private int askToExit(String question) {
-        return Dialogs.ask(
-                parent,
-                Messages.get("export.title"),
-                question,
-                "export.exit.wait",
-                "export.exit.cancel",
-                "export.exit.stay");
-    }
-
-    /** Cancels the exports that are being written, because the window closes. */
-    public void close() {
-        afterExports = null;
-        tasks.forEach(ExportTask::cancel);
-    }
-
     private void saveRecording(RenderRequest request, Runnable then) {
         recording(request).ifPresent(recording -> {
             Runnable written = () -> {
                 recordGif.setOn(false);
                 then.run();
             };
-            selectFile("exportGif", ".gif").ifPresent(file -> write(file, recording, written, () -> {}));
+            selectFile("exportGif", ".gif").ifPresent(file -> exports.start(file, recording, written, () -> {}));
         });
     }
 
@@ -353,7 +304,7 @@ public final class ExportController implements WorkspaceListener {
 
     /** Asks for a file and starts to write it. */
     private void write(String action, String ending, FileExport export) {
-        selectFile(action, ending).ifPresent(file -> write(file, export, () -> {}, () -> {}));
+        selectFile(action, ending).ifPresent(file -> exports.start(file, export, () -> {}, () -> {}));
     }
 
     /** Asks for a file; returns none if the choice is cancelled, or if it is the file of the open scenario. */
@@ -363,58 +314,14 @@ public final class ExportController implements WorkspaceListener {
                 && LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file.get()))
                         .isPresent()) {
             MessageException ownInput = new MessageException("", WriteProblem.OWN_INPUT.with(), null);
-            errorDialog.accept(failureText(file.get(), ownInput));
+            errorDialog.accept(RunningExports.failureText(file.get(), ownInput));
             return Optional.empty();
         }
         return file;
     }
 
-    /**
-     * Starts to write a file. {@code then} runs when it is written, or {@code otherwise} when that has failed or was
-     * cancelled.
-     */
-    private void write(Path file, FileExport export, Runnable then, Runnable otherwise) {
-        String writing = Messages.get("export.writing", FileNames.lastOf(file));
-        notes.show(writing);
-        ExportTask task = new ExportTask(
-                parent,
-                export,
-                file,
-                () -> {
-                    tasks.removeIf(ExportTask::isDone);
-                    notes.remove(writing);
-                },
-                written -> {
-                    onWritten.accept(written);
-                    then.run();
-                    runAfterExports();
-                },
-                failure -> {
-                    failures++;
-                    afterExports = null;
-                    otherwise.run();
-                    if (!(failure instanceof CancellationException)) {
-                        errorDialog.accept(failureText(file, failure));
-                    }
-                });
-        tasks.add(task);
-        task.start();
-    }
-
-    private void runAfterExports() {
-        Runnable action = afterExports;
-        if (tasks.isEmpty() && action != null) {
-            afterExports = null;
-            action.run();
-        }
-    }
-
     private void showErrorDialog(String sentence) {
         JOptionPane.showMessageDialog(
                 parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
-    }
-
-    static String failureText(Path file, Throwable failure) {
-        return Messages.get("export.failed", file.toString(), ErrorMessages.describe(failure, file));
     }
 }

@@ -320,8 +320,9 @@ public final class MainWindow extends JFrame {
     }
 
     private void quit() {
-        exportController.runIfExportsHandled(
-                () -> batchActions.runIfResultsHandled(() -> fileController.runIfChangesHandled(() -> {
+        exportController
+                .exports()
+                .runIfHandled(() -> batchActions.runIfResultsHandled(() -> fileController.runIfChangesHandled(() -> {
                     windowBounds.save();
                     dispose();
                 })));
@@ -334,7 +335,7 @@ public final class MainWindow extends JFrame {
     /** Ends the run and the exports with the window. */
     @Override
     public void dispose() {
-        exportController.close();
+        exportController.exports().cancel();
         runPoller.stop();
         fileWatch.close();
         controllerActions.close();

@@ -35,8 +35,6 @@ import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.Color;
-import java.awt.SecondaryLoop;
-import java.awt.Toolkit;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.ClipboardOwner;
 import java.awt.datatransfer.DataFlavor;
@@ -46,7 +44,6 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -329,80 +326,6 @@ class ExportControllerTest {
         });
     }
 
-    @Test
-    void theWindowClosesAtOnceIfNothingIsBeingWritten() throws IOException {
-        exportToFile("exportCsv", ".csv");
-        runOnEdt(() -> {
-            controller.setExitQuestion(question -> {
-                throw new AssertionError(question);
-            });
-            controller.runIfExportsHandled(() -> sentences.add("closed"));
-        });
-        assertEquals(List.of("closed"), sentences);
-    }
-
-    /** An export ends on the event dispatch thread, so it is being written as long as that is busy. */
-    @Test
-    void theWindowClosesWhenTheExportIsCompleteIfTheUserWaits() {
-        runOnEdt(() -> {
-            controller.setExitQuestion(question -> sentences.add(question) ? 0 : -1);
-            perform("exportCsv");
-            controller.runIfExportsHandled(() -> sentences.add("closed, " + written.size() + " written"));
-            assertEquals(List.of("Faultline is still writing out.csv. Wait before closing?"), sentences);
-        });
-        Await.until("the end", () -> sentences.size() > 1);
-        assertEquals("closed, 1 written", sentences.get(1));
-        assertTrue(Files.exists(folder.resolve("out.csv")));
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {-1, 1, 2})
-    void theWindowStaysOrClosesWhileAnExportIsBeingWritten(int answer) {
-        runOnEdt(() -> {
-            controller.setExitQuestion(question -> answer);
-            perform("exportCsv");
-            controller.runIfExportsHandled(() -> sentences.add("closed"));
-            assertEquals(answer == 1 ? List.of("closed") : List.of(), sentences);
-        });
-        Await.until("the end", () -> !written.isEmpty());
-        runOnEdt(() -> assertEquals(answer == 1 ? 1 : 0, sentences.size(), "closed later"));
-    }
-
-    @Test
-    void theWindowStaysIfTheExportFailsDuringTheQuestion() throws IOException {
-        Files.createDirectory(folder.resolve("out.csv"));
-        runOnEdt(() -> {
-            SecondaryLoop open =
-                    Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
-            controller.setErrorDialog(sentence -> {
-                sentences.add(sentence);
-                open.exit();
-            });
-            controller.setExitQuestion(question -> {
-                open.enter();
-                return 0;
-            });
-            perform("exportCsv");
-            controller.runIfExportsHandled(() -> sentences.add("closed"));
-            assertEquals(1, sentences.size(), sentences::toString);
-        });
-    }
-
-    @Test
-    void theWindowStaysIfTheExportFailsThatTheUserWaitsFor() throws IOException {
-        Files.createDirectory(folder.resolve("out.csv"));
-        runOnEdt(() -> {
-            controller.setErrorDialog(sentences::add);
-            controller.setExitQuestion(question -> 0);
-            perform("exportCsv");
-            controller.runIfExportsHandled(() -> sentences.add("closed"));
-        });
-        Await.until("the failure", () -> !sentences.isEmpty());
-        runOnEdt(() -> perform("exportPng"));
-        Await.until("the next export", () -> !written.isEmpty());
-        runOnEdt(() -> assertEquals(1, sentences.size(), sentences::toString));
-    }
-
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aRecordingThatCannotBeWrittenIsKept(boolean leaves) throws IOException {
@@ -603,20 +526,6 @@ class ExportControllerTest {
         assertEquals(600, ((BufferedImage) clipboard.getData(DataFlavor.imageFlavor)).getWidth());
         Await.until("the note", () -> notes.equals(List.of("copied")));
         assertThrows(UnsupportedFlavorException.class, () -> clipboard.getData(DataFlavor.stringFlavor));
-    }
-
-    @Test
-    void aFailureNamesTheFileAndTheReason() {
-        String file = folder.resolve("picture.png").toString();
-        assertEquals(
-                file + " cannot be written: not enough memory",
-                ExportController.failureText(Path.of(file), new OutOfMemoryError()));
-        assertEquals(
-                file + " cannot be written: access is denied",
-                ExportController.failureText(Path.of(file), new AccessDeniedException(file)));
-        assertEquals(
-                file + " cannot be written: the name is too long",
-                ExportController.failureText(Path.of(file), new IOException(file + ": the name is too long")));
     }
 
     @Test
