@@ -9,7 +9,9 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
@@ -25,6 +27,7 @@ public final class ProgressDialog extends JDialog {
 
     private static final int PROGRESS_STEPS = 1000;
     private static final int WIDTH = 380;
+    private static final int GAP = 8;
 
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
 
@@ -58,6 +61,19 @@ public final class ProgressDialog extends JDialog {
         setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));
         setResizable(false);
         setLocationRelativeTo(owner);
+        avoidOthers(owner);
+    }
+
+    /** Moves this dialog down until it covers no other one of its kind and owner, if the screen has room. */
+    private void avoidOthers(Window owner) {
+        List<Window> others = Stream.of(owner.getOwnedWindows())
+                .filter(window -> window instanceof ProgressDialog && window.isShowing())
+                .toList();
+        double bottom = getGraphicsConfiguration().getBounds().getMaxY();
+        while (others.stream().anyMatch(other -> other.getBounds().intersects(getBounds()))
+                && getBounds().getMaxY() + GAP < bottom) {
+            setLocation(getX(), getY() + GAP);
+        }
     }
 
     /** Shows the completed share. */

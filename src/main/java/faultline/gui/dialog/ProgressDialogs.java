@@ -70,7 +70,7 @@ public final class ProgressDialogs {
     private boolean isOtherDialogOpen() {
         return dialog == null
                 && Stream.of(owner.getOwnedWindows())
-                        .anyMatch(window -> window instanceof Dialog && window.isShowing());
+                        .anyMatch(window -> window instanceof Dialog other && other.isModal() && other.isShowing());
     }
 
     private void closeDialog() {

@@ -9,13 +9,15 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.document.TaskProgress;
+import java.awt.AWTEvent;
+import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.event.AWTEventListener;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
@@ -50,13 +52,60 @@ class ExportProgressRobotTest {
         });
     }
 
+    @Test
+    void theDialogsOfTwoExportsDoNotCoverEachOther() {
+        List<Object> ends = new ArrayList<>();
+        List<ExportTask> tasks = Stream.of("a.gif", "b.gif")
+                .map(name -> startTask(ExportProgressRobotTest::writeSlowly, folder.resolve(name), ends))
+                .toList();
+        Await.until("the dialogs", () -> shownDialogs().size() == 2);
+        runOnEdt(() -> assertFalse(shownDialogs()
+                .get(0)
+                .getBounds()
+                .intersects(shownDialogs().get(1).getBounds())));
+        runOnEdt(() -> tasks.forEach(ExportTask::cancel));
+        Await.until("the end of the tasks", () -> ends.size() == 2);
+    }
+
+    /** The dialog would open after 0.7 s if the export reported no progress. */
+    @Test
+    void anExportThatIsNearlyCompleteOpensNoDialog() {
+        List<Object> ends = new ArrayList<>();
+        long end = System.nanoTime() + 1_200_000_000;
+        List<Window> shown = new ArrayList<>();
+        AWTEventListener listener = event -> shown.add((Window) event.getSource());
+        Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.WINDOW_EVENT_MASK);
+        try {
+            startTask(
+                    (out, progress) -> {
+                        progress.setFraction(0.9);
+                        while (System.nanoTime() < end) {
+                            LockSupport.parkNanos(STEP_NANOS);
+                        }
+                    },
+                    folder.resolve("short.gif"),
+                    ends);
+            Await.until("the end of the task", () -> !ends.isEmpty());
+        } finally {
+            Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
+        }
+        runOnEdt(() -> assertEquals(List.of(), shown));
+    }
+
+    private static ExportTask startTask(FileExport export, Path file, List<Object> ends) {
+        return callOnEdt(() -> {
+            ExportTask task = new ExportTask(null, export, file, () -> {}, ends::add, ends::add);
+            task.start();
+            return task;
+        });
+    }
+
     private void assertCancellable(FileExport export) {
         Path file = folder.resolve("long.gif");
         List<Object> ends = new ArrayList<>();
-        ExportTask task = callOnEdt(() -> new ExportTask(null, export, file, () -> {}, ends::add, ends::add));
-        runOnEdt(task::start);
-        Await.until("the dialog", () -> shownDialog().isPresent());
-        runOnEdt(() -> ComponentFinder.findAll(shownDialog().orElseThrow(), JButton.class)
+        ExportTask task = startTask(export, file, ends);
+        Await.until("the dialog", () -> !shownDialogs().isEmpty());
+        runOnEdt(() -> ComponentFinder.findAll(shownDialogs().get(0), JButton.class)
                 .findFirst()
                 .orElseThrow()
                 .doClick(0));
@@ -66,12 +115,12 @@ class ExportProgressRobotTest {
         assertInstanceOf(CancellationException.class, ends.get(0));
     }
 
-    private static Optional<JDialog> shownDialog() {
+    private static List<JDialog> shownDialogs() {
         return Stream.of(Window.getWindows())
                 .filter(JDialog.class::isInstance)
                 .map(JDialog.class::cast)
                 .filter(JDialog::isShowing)
-                .findFirst();
+                .toList();
     }
 
     /** Reports less than one per cent until it is cancelled. */
