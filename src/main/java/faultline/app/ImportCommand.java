@@ -1,7 +1,6 @@
 package faultline.app;
 
 import faultline.floorplan.FloorPlan;
-import faultline.floorplan.FloorPlanException;
 import faultline.floorplan.FloorPlanProblem;
 import faultline.floorplan.FloorPlanScenario;
 import faultline.floorplan.MapDescription;
@@ -50,22 +49,17 @@ final class ImportCommand {
         Optional<String> start = parsed.value("--start");
         Scenario scenario = start.isPresent()
                 ? FloorPlanScenario.create(name, plan, start(start.get()))
-                : createWithFreeStart(name, plan, FloorPlan.isYaml(map));
+                : FloorPlanScenario.create(name, plan, helpfulOptions(map));
         scenario.save(target);
         print(target, plan, scenario);
         return ExitCode.SUCCESS;
     }
 
-    private static Scenario createWithFreeStart(String name, FloorPlan plan, boolean yaml) throws FloorPlanException {
-        try {
-            return FloorPlanScenario.create(name, plan);
-        } catch (FloorPlanException e) {
-            String settings = yaml
-                    ? "resolution, occupied_thresh and negate in the map file, --unknown or --start"
-                    : "--resolution, --threshold, --negate, --unknown or --start";
-            throw new FloorPlanException(
-                    plan.description().image(), FloorPlanProblem.SETTINGS.with(e.reason(), settings));
-        }
+    /** Returns what may help if the robot has no room in the map. */
+    private static String helpfulOptions(Path map) {
+        return FloorPlan.isYaml(map)
+                ? "resolution, occupied_thresh and negate in the map file, --unknown or --start"
+                : "--resolution, --threshold, --negate, --unknown or --start";
     }
 
     private static FloorPlan read(Path map, Arguments parsed, FloorPlan.Options options)

@@ -89,10 +89,12 @@ public enum FloorPlanProblem implements Message.Template {
             + " drop specks, straighten outlines or use a coarser image"),
     /** The map does not fit into the memory. */
     MEMORY("the map needs more memory than the program has; start Java with more, such as -Xmx2g"),
-    /** The place that is farthest from everything solid is too small for the robot. */
-    NO_ROOM("the robot, {0} m long and {1} m wide, has no room in the free space of this map of {2} x {3} m"),
-    /** A problem, and the settings that may solve it, as they are called where it is shown. */
-    SETTINGS("{0}; what may help: {1}");
+    /**
+     * The place that is farthest from everything solid is too small for the robot. The last argument lists the settings
+     * that may help, as they are called where the sentence is shown.
+     */
+    NO_ROOM("the robot, {0} m long and {1} m wide, has no room in the free space of this map of {2} x {3} m;"
+            + " what may help: {4}");
 
     private final String english;
 

@@ -34,9 +34,10 @@ public final class FloorPlanScenario {
      *
      * @param name the scenario's name
      * @param plan the floor plan
+     * @param settings the settings that may help if there is no room, for the sentence of the exception
      * @throws FloorPlanException if there is no room for the robot
      */
-    public static Scenario create(String name, FloorPlan plan) throws FloorPlanException {
+    public static Scenario create(String name, FloorPlan plan, String settings) throws FloorPlanException {
         Optional<Scenario> scenario = create(name, plan, false).or(() -> create(name, plan, true));
         if (scenario.isPresent()) {
             return scenario.get();
@@ -49,7 +50,8 @@ public final class FloorPlanScenario {
                         DecimalText.format(robot.length()),
                         DecimalText.format(robot.width()),
                         DecimalText.formatRounded(frame.width()),
-                        DecimalText.formatRounded(frame.height())));
+                        DecimalText.formatRounded(frame.height()),
+                        settings));
     }
 
     private static Optional<Scenario> create(String name, FloorPlan plan, boolean unknownIsFree) {

@@ -40,7 +40,7 @@ class FloorPlanScenarioTest {
         for (int trial = 0; trial < 20; trial++) {
             FloorPlan plan = plan(random, 30 + random.nextInt(30), 30 + random.nextInt(30), 0);
             Path file = folder.resolve("room.xml");
-            Scenario made = FloorPlanScenario.create("Room", plan);
+            Scenario made = FloorPlanScenario.create("Room", plan, "");
             made.save(file);
             Scenario read = Scenario.load(file);
             assertEquals(made, read);
@@ -63,7 +63,9 @@ class FloorPlanScenarioTest {
     @Test
     void coordinatesAreDecimalsOfTheResolution() throws IOException {
         String text = new String(
-                FloorPlanScenario.create("Room", plan(new Random(5), 40, 40, 0)).toBytes(), StandardCharsets.UTF_8);
+                FloorPlanScenario.create("Room", plan(new Random(5), 40, 40, 0), "")
+                        .toBytes(),
+                StandardCharsets.UTF_8);
         String points = text.replaceAll("(?s).*<plan[^>]*points=\"([^\"]*)\".*", "$1");
         for (String number : points.split("[ ,|]+")) {
             assertTrue(number.matches("\\d+(\\.\\d{1,2})?"), number);
@@ -73,7 +75,7 @@ class FloorPlanScenarioTest {
     @Test
     void aPlanIsSensedAsThePolygonsOfItsOutlinesAre() throws IOException {
         FloorPlan plan = plan(new Random(6), 60, 60, 0);
-        SimulationSetup setup = FloorPlanScenario.create("Room", plan).setup();
+        SimulationSetup setup = FloorPlanScenario.create("Room", plan, "").setup();
         List<Obstacle> polygons = new ArrayList<>();
         ObstacleShape.PlanShape shape =
                 (ObstacleShape.PlanShape) setup.world().obstacles().get(0).shape();
@@ -104,10 +106,10 @@ class FloorPlanScenarioTest {
         Arrays.setAll(cells, i -> (i + i / 40) % 2 == 0 ? CellState.FREE : CellState.OCCUPIED);
         FloorPlan plan = trace(40, 30, 0, cells);
         FloorPlanException problem =
-                assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan));
+                assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan, "--start"));
         assertEquals(
                 "none.pgm: the robot, 0.25 m long and 0.2 m wide, has no room in the free space"
-                        + " of this map of 2 x 1.5 m",
+                        + " of this map of 2 x 1.5 m; what may help: --start",
                 problem.getMessage());
     }
 
@@ -116,7 +118,7 @@ class FloorPlanScenarioTest {
     void theRobotStartsInTheMiddleOfACorridorOfTwoWideCells() throws FloorPlanException {
         CellState[] cells = new CellState[20 * 4];
         Arrays.setAll(cells, i -> i / 20 == 1 || i / 20 == 2 ? CellState.FREE : CellState.OCCUPIED);
-        Scenario corridor = FloorPlanScenario.create("Corridor", trace(20, 4, 0, new BigDecimal("0.2"), cells));
+        Scenario corridor = FloorPlanScenario.create("Corridor", trace(20, 4, 0, new BigDecimal("0.2"), cells), "");
         assertEquals(new Pose(0.2, 0.4, 0), corridor.setup().start());
     }
 
@@ -125,14 +127,14 @@ class FloorPlanScenarioTest {
         CellState[] cells = new CellState[40 * 30];
         Arrays.fill(cells, CellState.UNKNOWN);
         cells[0] = CellState.OCCUPIED;
-        Pose anywhere = FloorPlanScenario.create("Unknown", trace(40, 30, 0, cells))
+        Pose anywhere = FloorPlanScenario.create("Unknown", trace(40, 30, 0, cells), "")
                 .setup()
                 .start();
         assertEquals(new Pose(0.725, 0.725, 0), anywhere);
         for (int i = 0; i < cells.length; i++) {
             cells[i] = i % 40 >= 30 && i / 40 >= 20 ? CellState.FREE : cells[i];
         }
-        Pose known = FloorPlanScenario.create("Known", trace(40, 30, 0, cells))
+        Pose known = FloorPlanScenario.create("Known", trace(40, 30, 0, cells), "")
                 .setup()
                 .start();
         assertEquals(new Pose(1.725, 1.225, 0), known);
@@ -141,7 +143,7 @@ class FloorPlanScenarioTest {
     @Test
     void aRotatedMapLiesInsideItsWorld() throws Exception {
         FloorPlan plan = plan(new Random(8), 40, 30, 0.7);
-        Scenario scenario = FloorPlanScenario.create("Room", plan);
+        Scenario scenario = FloorPlanScenario.create("Room", plan, "");
         WorldSpec world = scenario.setup().world();
         Obstacle obstacle = world.obstacles().get(0);
         for (List<Vector2> ring : ((ObstacleShape.PlanShape) obstacle.shape()).rings()) {

@@ -67,7 +67,7 @@ class MutatedMapsTest {
     private static boolean isRefused(Path yaml, String both) {
         try {
             FloorPlan plan = FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT);
-            FloorPlanScenario.create("map", plan);
+            FloorPlanScenario.create("map", plan, "");
             return false;
         } catch (IOException e) {
             assertTrue(e.getMessage().matches("[^\\p{Cc}]{10,}"), () -> e + "\n" + both);

@@ -1,8 +1,6 @@
 package faultline.gui.properties;
 
 import faultline.floorplan.FloorPlan;
-import faultline.floorplan.FloorPlanException;
-import faultline.floorplan.FloorPlanProblem;
 import faultline.floorplan.FloorPlanScenario;
 import faultline.floorplan.MapDescription;
 import faultline.geometry.Pose;
@@ -51,27 +49,22 @@ public final class FloorPlanFiles {
                         options);
         String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
         Scenario scenario = start == null
-                ? createWithFreeStart(name, plan, FloorPlan.isYaml(file))
+                ? FloorPlanScenario.create(name, plan, helpfulSettings(file))
                 : FloorPlanScenario.create(name, plan, start);
         return new ImportedPlan(plan, scenario);
     }
 
-    private static Scenario createWithFreeStart(String name, FloorPlan plan, boolean yaml) throws FloorPlanException {
-        try {
-            return FloorPlanScenario.create(name, plan);
-        } catch (FloorPlanException e) {
-            String start = Messages.get("import.findsStart");
-            String settings = yaml
-                    ? Messages.get("import.settings.map", start, Messages.get("import.unknown"))
-                    : Messages.get(
-                            "import.settings.image",
-                            Messages.get("import.resolution"),
-                            Messages.get("import.negate"),
-                            Messages.get("import.threshold"),
-                            start,
-                            Messages.get("import.unknown"));
-            throw new FloorPlanException(
-                    plan.description().image(), FloorPlanProblem.SETTINGS.with(e.reason(), settings));
-        }
+    /** Returns what may help if the robot has no room in the plan. */
+    private static String helpfulSettings(Path file) {
+        String start = Messages.get("import.findsStart");
+        return FloorPlan.isYaml(file)
+                ? Messages.get("import.settings.map", start, Messages.get("import.unknown"))
+                : Messages.get(
+                        "import.settings.image",
+                        Messages.get("import.resolution"),
+                        Messages.get("import.negate"),
+                        Messages.get("import.threshold"),
+                        start,
+                        Messages.get("import.unknown"));
     }
 }
