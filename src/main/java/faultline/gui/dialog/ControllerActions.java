@@ -259,7 +259,10 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
                 updateTexts();
             }
         });
-        files = now;
+        // A file that a build has deleted keeps its old time until it is there again.
+        Map<Path, FileTime> known = new TreeMap<>(files);
+        known.putAll(now);
+        files = known;
     }
 
     /** Updates the note about a changed file, also to the current language. */

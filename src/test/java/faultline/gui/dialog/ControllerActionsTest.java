@@ -236,6 +236,24 @@ class ControllerActionsTest {
         assertEquals(List.of(), notes);
     }
 
+    /** A build may take seconds from one to the other. */
+    @Test
+    void aFileThatIsDeletedAndWrittenAgainHasChanged(@TempDir Path folder) throws IOException {
+        Path program = Files.writeString(folder.resolve("follower.py"), "");
+        runOnEdt(() -> {
+            controllers.select(ControllerChoice.of(ShellWords.quoted(program.toString())));
+            controllers.sessionStarted();
+        });
+        BackgroundThreads.awaitEnd();
+        Files.delete(program);
+        checkFiles();
+        assertEquals(List.of(), keptNotes);
+        Files.writeString(program, "");
+        Files.setLastModifiedTime(program, FileTime.fromMillis(1_000_000));
+        checkFiles();
+        assertEquals(List.of("follower.py has changed; restart the run to load it"), keptNotes);
+    }
+
     private void checkFiles() {
         runOnEdt(controllers::checkFiles);
         BackgroundThreads.awaitEnd();
