@@ -46,6 +46,11 @@ public final class ComparisonController implements WorkspaceListener {
         removeReference();
     }
 
+    @Override
+    public void workspaceClosing() {
+        cancelPendingTask();
+    }
+
     /** Returns whether the run has ticks that can be kept as a reference run. */
     public boolean canCapture() {
         return navigator.furthestTick() > 0;

@@ -178,6 +178,22 @@ class HangingControllerTest {
     }
 
     @Test
+    void aGhostWhoseProgramStartsEndsWithItsWindow() throws Exception {
+        ComparisonController comparison = callOnEdt(() -> new ComparisonController(workspace, run.navigator()));
+        program(-1);
+        String command = "sh '" + folder.resolve(programs + ".sh") + "'";
+        runOnEdt(() -> comparison.compareWith(ControllerChoice.of(command), line -> {}, () -> {}));
+        ProcessHandle program = runningProgram();
+        long closed = System.nanoTime();
+        runOnEdt(() -> {
+            workspace.close();
+            assertTrue(comparison.pending().isEmpty());
+        });
+        awaitEnd(program);
+        assertTrue(System.nanoTime() - closed < 20e9, "by the limit for the start");
+    }
+
+    @Test
     void aRestartEndsAProgramThatHangsAndKeepsTheEdits() throws Exception {
         ProcessHandle program = hangWithAnEdit();
         choose(program(3));
