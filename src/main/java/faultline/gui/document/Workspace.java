@@ -104,8 +104,8 @@ public final class Workspace implements AutoCloseable {
     }
 
     /**
-     * Starts a task as {@link #start(WorkspaceTask, Callable, Runnable)}; {@code otherwise} runs if the task fails or
-     * is cancelled. If a failed task is started again, one of both runs again.
+     * Starts a task as {@link #start(WorkspaceTask, Callable, Runnable)}; {@code otherwise} runs after the task has
+     * failed or was cancelled. If a failed task is started again, one of both runs again.
      */
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then, Runnable otherwise) {
         if (newTask.kind() == TaskKind.OPEN) {
@@ -121,8 +121,8 @@ public final class Workspace implements AutoCloseable {
                     (opened ? then : otherwise).run();
                 },
                 failure -> {
-                    otherwise.run();
                     taskFailed(newTask, failure);
+                    otherwise.run();
                 });
     }
 

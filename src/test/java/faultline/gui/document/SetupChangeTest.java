@@ -31,6 +31,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests changes of the setup at tick 60 of a run, which is simulated again. */
 @ExtendWith(EdtChecker.class)
@@ -44,6 +46,7 @@ class SetupChangeTest {
     private Path folder;
 
     private final List<String> deferred = new ArrayList<>();
+    private final List<Throwable> failures = new ArrayList<>();
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
@@ -60,8 +63,12 @@ class SetupChangeTest {
             sender = StoppedClock.sender(run::send);
             edits = new UndoController(sender, () -> {});
             edits.follow(workspace, run);
-            workspace.addListener(new TaskFailures());
             workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void taskFailed(TaskKind task, Path file, Throwable failure) {
+                    failures.add(failure);
+                }
+
                 @Override
                 public void setupChangeDeferred() {
                     deferred.add("deferred");
@@ -77,6 +84,7 @@ class SetupChangeTest {
     @AfterEach
     void close() {
         runOnEdt(workspace::close);
+        assertEquals(List.of(), failures);
     }
 
     @Test
@@ -241,6 +249,33 @@ class SetupChangeTest {
         runOnEdt(() -> run.navigator().seek(40));
         waitForRun();
         assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
+    }
+
+    /** A change of the length of a tick restarts the run; another one simulates it again. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.02})
+    void aChangeWithWhichTheRunCannotStartTakesEffectLater(double dt) {
+        RuntimeException failure = new IllegalStateException("no controller");
+        runOnEdt(() -> {
+            workspace.setControllerChoice(setup -> {
+                throw failure;
+            });
+            run.change(old -> old.withSetup(new SimulationSetup(
+                    original.world(),
+                    original.robot(),
+                    original.start(),
+                    original.controller(),
+                    List.of(new TimedCommand(0.2, FAULT)),
+                    dt,
+                    original.seed(),
+                    original.duration())));
+        });
+        Await.until("the note", () -> !deferred.isEmpty());
+        assertEquals(List.of("deferred"), deferred);
+        assertEquals(List.of(failure), failures);
+        assertEquals(
+                dt, callOnEdt(() -> workspace.scenario().orElseThrow().setup().dt()));
+        failures.clear();
     }
 
     @Test
