@@ -61,6 +61,14 @@ public final class FlatSliderUI extends BasicSliderUI {
                 }
                 super.mousePressed(event);
             }
+
+            /** Ignores the rest of a drag that has been ended before the button is released. */
+            @Override
+            public void mouseDragged(MouseEvent event) {
+                if (slider.getValueIsAdjusting()) {
+                    super.mouseDragged(event);
+                }
+            }
         };
     }
 

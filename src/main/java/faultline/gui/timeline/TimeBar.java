@@ -96,6 +96,13 @@ public final class TimeBar extends JPanel {
         return slider.getValueIsAdjusting();
     }
 
+    /** Prepares for another scenario: ends a drag without going anywhere. */
+    void startScenario() {
+        updating = true;
+        slider.setValueIsAdjusting(false);
+        updating = false;
+    }
+
     /** Shows the tick of a frame and the last known one. */
     void setFrame(SessionFrame frame, long furthest) {
         assert EventQueue.isDispatchThread();

@@ -211,6 +211,7 @@ public final class TimelinePanel extends JPanel {
 
     /** Prepares for another scenario. */
     public void startScenario() {
+        bar.startScenario();
         lanes.startScenario();
     }
 

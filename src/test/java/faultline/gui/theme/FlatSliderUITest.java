@@ -66,6 +66,9 @@ class FlatSliderUITest {
             assertTrue(slider.getValueIsAdjusting(), "another program has the focus, and the button is still down");
             loseFocus(slider, new FocusEvent(slider, FocusEvent.FOCUS_LOST, true, new JLabel()));
             assertFalse(slider.getValueIsAdjusting());
+            slider.dispatchEvent(new MouseEvent(
+                    slider, MouseEvent.MOUSE_DRAGGED, 0, InputEvent.BUTTON1_DOWN_MASK, 70, 9, 0, false, 1));
+            assertFalse(slider.getValueIsAdjusting(), "the movement of the mouse that follows");
             assertEquals(value, slider.getValue());
         });
     }

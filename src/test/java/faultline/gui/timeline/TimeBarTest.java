@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
@@ -115,6 +116,21 @@ class TimeBarTest {
         assertTrue(callOnEdt(bar::isAdjusting));
         runOnEdt(() -> press(MouseEvent.MOUSE_RELEASED, 7 + 100));
         waitForTick(TICKS / 4);
+    }
+
+    /** A scenario can be opened by the keyboard while the thumb is dragged. */
+    @Test
+    void aDragEndsWithItsScenario() {
+        runOnEdt(() -> {
+            slider.setSize(400 + 15, 24);
+            press(MouseEvent.MOUSE_PRESSED, 7 + 100);
+            bar.startScenario();
+            assertFalse(bar.isAdjusting());
+            press(MouseEvent.MOUSE_DRAGGED, 7 + 200);
+            assertFalse(bar.isAdjusting());
+            press(MouseEvent.MOUSE_RELEASED, 7 + 200);
+            assertTrue(workspace.task().isEmpty(), "the run is moved");
+        });
     }
 
     private void press(int type, int x) {
