@@ -333,7 +333,8 @@ public final class FileController {
         int answer = fileDialogs.showOptions(
                 "unsaved", Messages.get("unsaved.question"), "unsaved.save", "unsaved.discard", "unsaved.cancel");
         if (answer == 0) {
-            save(action);
+            // The window can be used while the file is written.
+            save(() -> runIfEditsHandled(action));
         } else if (answer == 1) {
             action.run();
         }

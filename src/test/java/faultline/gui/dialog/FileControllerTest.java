@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
@@ -10,6 +11,8 @@ import faultline.gui.EdtChecker;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,6 +23,7 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.AfterEach;
@@ -35,6 +39,9 @@ class FileControllerTest {
 
     @TempDir
     private Path folder;
+
+    /** The keys of the answers that are given. */
+    private Set<String> answers = LOSING_ANSWERS;
 
     /** What was asked, in order. */
     private final List<String> questions = new CopyOnWriteArrayList<>();
@@ -131,6 +138,35 @@ class FileControllerTest {
         assertTrue(callOnEdt(workspace::isChanged));
     }
 
+    /** The window can be used while the file is written. */
+    @Test
+    void anEditDuringTheSaveBeforeTheScenarioIsLeftIsAskedAboutAndSaved() throws Exception {
+        Path file = openCopy();
+        edit();
+        AtomicReference<Boolean> changed = new AtomicReference<>();
+        runOnEdt(() -> {
+            files.setLeaveQuestion(Runnable::run);
+            answers = Set.of("unsaved.save");
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void scenarioSaved(Path saved) {
+                    if (questions.size() == 1) {
+                        run.send(List.of(new Command.SwitchSensor("front", false)), results -> {});
+                    }
+                }
+            });
+            files.runIfChangesHandled(() -> changed.set(workspace.isChanged()));
+        });
+        Await.until("the end", () -> changed.get() != null);
+        assertEquals(List.of("unsaved", "unsaved"), questions);
+        assertFalse(changed.get());
+        assertEquals(
+                List.of("left", "front"),
+                Scenario.load(file).setup().timeline().stream()
+                        .map(event -> ((Command.SwitchSensor) event.command()).sensorId())
+                        .toList());
+    }
+
     private static void await(CountDownLatch latch) {
         try {
             latch.await();
@@ -154,7 +190,7 @@ class FileControllerTest {
         assertEquals(Path.of("scenario.xml"), callOnEdt(files::suggestedScenarioFile));
     }
 
-    /** Chooses the office, and the answer of a question that reverts or reloads. */
+    /** Chooses the office, and one of the answers. */
     private final class AnsweringDialogs extends FileDialogs {
 
         AnsweringDialogs() {
@@ -171,7 +207,7 @@ class FileControllerTest {
         int showOptions(String key, String question, String... answerKeys) {
             questions.add(key);
             return IntStream.range(0, answerKeys.length)
-                    .filter(i -> LOSING_ANSWERS.contains(answerKeys[i]))
+                    .filter(i -> answers.contains(answerKeys[i]))
                     .findFirst()
                     .orElseThrow();
         }
