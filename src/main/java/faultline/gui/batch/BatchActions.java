@@ -135,7 +135,11 @@ public final class BatchActions {
         double seconds = Double.parseDouble(results.value(row, "simulated_s"));
         BackgroundTasks.compute(
                 () -> controller.callWithJars(() -> ReplayScenario.of(results.plan(), run, outcome, seconds)),
-                opened -> openRun(dialog, named(opened, run), controller.jars()),
+                opened -> {
+                    if (owner.isDisplayable()) {
+                        openRun(dialog, named(opened, run), controller.jars());
+                    }
+                },
                 failure -> dialog.showProblem(ErrorMessages.describe(failure)));
     }
 

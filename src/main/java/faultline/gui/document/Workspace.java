@@ -34,8 +34,10 @@ public final class Workspace implements AutoCloseable {
     private volatile boolean choiceTried;
 
     private WorkspaceTask task;
-    /** Starts the last task again. */
-    private Runnable lastTask = () -> {};
+    /** Starts the task again that has failed, unless another one has started since then. */
+    private Runnable failedTask = () -> {};
+
+    private boolean closed;
     /** Completes when the edits that wait for the end of a restart or a move have been sent; null if none wait. */
     private CompletableFuture<Void> deferredEdits;
 
@@ -105,15 +107,19 @@ public final class Workspace implements AutoCloseable {
 
     /**
      * Starts a task as {@link #start(WorkspaceTask, Callable, Runnable)}; {@code otherwise} runs after the task has
-     * failed or was cancelled. If a failed task is started again, one of both runs again.
+     * failed or was cancelled. If a failed task is started again, one of both runs again. After {@link #close}, no task
+     * starts.
      */
     void start(WorkspaceTask newTask, Callable<OpenDocument> maker, Runnable then, Runnable otherwise) {
+        if (closed) {
+            return;
+        }
         if (newTask.kind() == TaskKind.OPEN) {
             sendDeferredEdits();
         }
         cancelActiveTask();
         task = newTask;
-        lastTask = () -> start(newTask, maker, then, otherwise);
+        failedTask = () -> {};
         BackgroundTasks.compute(
                 () -> newTask.progress().perform(maker),
                 made -> {
@@ -121,14 +127,14 @@ public final class Workspace implements AutoCloseable {
                     (opened ? then : otherwise).run();
                 },
                 failure -> {
-                    taskFailed(newTask, failure);
+                    taskFailed(newTask, failure, () -> start(newTask, maker, then, otherwise));
                     otherwise.run();
                 });
     }
 
-    /** Starts the last task again, after it has failed. */
+    /** Starts the last task again, if it has failed. */
     public void retry() {
-        lastTask.run();
+        failedTask.run();
     }
 
     /** Cancels the active task without other effects. */
@@ -160,8 +166,9 @@ public final class Workspace implements AutoCloseable {
         fire(WorkspaceListener::taskFinished);
     }
 
-    private void taskFailed(WorkspaceTask ended, Throwable failure) {
+    private void taskFailed(WorkspaceTask ended, Throwable failure, Runnable again) {
         if (ended.progress().isActive()) {
+            failedTask = again;
             finishTask();
             fire(listener -> listener.taskFailed(ended.kind(), ended.name(), failure));
         }
@@ -330,7 +337,9 @@ public final class Workspace implements AutoCloseable {
     public void close() {
         fire(WorkspaceListener::workspaceClosing);
         sendDeferredEdits();
+        closed = true;
         cancelActiveTask();
+        failedTask = () -> {};
         openDocument().map(OpenDocument::session).ifPresent(Workspace::awaitEndBeforeExit);
         closeSession();
     }

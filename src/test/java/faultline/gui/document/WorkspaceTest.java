@@ -20,6 +20,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.awt.EventQueue;
 import java.io.IOException;
+import java.lang.ref.WeakReference;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -341,6 +342,28 @@ class WorkspaceTest {
                 () -> made.isDone() && made.join().session().journal().isCompletedExceptionally());
         assertEquals(1, sessionCount);
         assertEquals(Optional.empty(), callOnEdt(workspace::file));
+    }
+
+    /** Work that was started before, such as that of a batch, may want to open a run. */
+    @Test
+    void nothingIsOpenedOnceTheWorkspaceIsClosed() {
+        runOnEdt(() -> {
+            workspace.close();
+            documentStore.open(file);
+            assertEquals(Optional.empty(), workspace.task());
+        });
+    }
+
+    @Test
+    void aRunIsFreeWhenItHasBeenRestarted() {
+        WeakReference<Object> before = callOnEdt(
+                () -> new WeakReference<>(workspace.openDocument().orElseThrow().session()));
+        runOnEdt(run::restart);
+        waitFor("the second session", () -> sessionCount == 2);
+        Await.until("the end of the first one", () -> {
+            System.gc();
+            return before.get() == null;
+        });
     }
 
     @Test
