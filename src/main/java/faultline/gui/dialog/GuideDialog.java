@@ -24,6 +24,8 @@ final class GuideDialog extends JDialog {
     private static final Dimension SIZE = new Dimension(620, 560);
 
     private final JEditorPane pane;
+    /** The number of times that the page has been loaded again. */
+    private int loads;
 
     private GuideDialog(Window owner, GuidePage page) {
         super(owner, ModalityType.MODELESS);
@@ -44,9 +46,18 @@ final class GuideDialog extends JDialog {
     private void refresh() {
         setTitle(Messages.get("guide.title"));
         if (isShowing()) {
-            BackgroundTasks.compute(GuidePage::load, this::replacePage, failure -> {
-                throw new IllegalStateException(failure);
-            });
+            int number = ++loads;
+            BackgroundTasks.compute(
+                    GuidePage::load,
+                    page -> {
+                        // A page of before a later change may be loaded last.
+                        if (number == loads) {
+                            replacePage(page);
+                        }
+                    },
+                    failure -> {
+                        throw new IllegalStateException(failure);
+                    });
         }
     }
 
