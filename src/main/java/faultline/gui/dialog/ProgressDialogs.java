@@ -1,12 +1,12 @@
 package faultline.gui.dialog;
 
 import faultline.gui.document.FileNames;
+import faultline.gui.document.ModalDialogs;
 import faultline.gui.document.WorkspaceTask;
 import faultline.gui.text.Messages;
 import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.Window;
-import java.util.stream.Stream;
 
 /** Shows a progress dialog for a task that takes longer than half a second, and lets the user cancel it. */
 public final class ProgressDialogs {
@@ -34,7 +34,7 @@ public final class ProgressDialogs {
             closeDialog();
             currentTask = task;
         }
-        polls += isOtherDialogOpen() ? 0 : 1;
+        polls += dialog == null && ModalDialogs.isAnyOpen() ? 0 : 1;
         if (dialog != null) {
             dialog.setProgress(task.progress());
         }
@@ -64,13 +64,6 @@ public final class ProgressDialogs {
             closeDialog();
             currentTask = null;
         }
-    }
-
-    /** Returns whether another modal dialog is open. */
-    private boolean isOtherDialogOpen() {
-        return dialog == null
-                && Stream.of(owner.getOwnedWindows())
-                        .anyMatch(window -> window instanceof Dialog other && other.isModal() && other.isShowing());
     }
 
     private void closeDialog() {

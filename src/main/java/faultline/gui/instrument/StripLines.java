@@ -33,8 +33,9 @@ final class StripLines {
     /** Paints the same lines of the reference run. */
     void paintReference(StripContent content) {
         int width = (int) scale.plot().area().width();
-        content.referenceData(width).ifPresent(data -> scale.signal().lines().stream()
-                .forEach(line -> paint(data, line, LegendEntry.referenceStyle(theme))));
+        content.referenceData(width)
+                .ifPresent(data ->
+                        scale.signal().lines().forEach(line -> paint(data, line, LegendEntry.referenceStyle(theme))));
     }
 
     private void paint(StripData data, ChartLine line, LineStyle style) {

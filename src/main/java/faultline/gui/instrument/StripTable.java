@@ -49,7 +49,7 @@ final class StripTable {
         content.signal().lines().forEach(line -> data.valuesOf(line)
                 .ifPresent(values -> columns.add(new LineColumn(line.name(), values, data))));
         content.referenceData(Integer.MAX_VALUE / 4)
-                .ifPresent(reference -> content.signal().lines().stream().forEach(line -> reference
+                .ifPresent(reference -> content.signal().lines().forEach(line -> reference
                         .valuesOf(line)
                         .ifPresent(values -> columns.add(new LineColumn(
                                 Messages.get("signal.reference") + ", " + line.name(), values, reference)))));

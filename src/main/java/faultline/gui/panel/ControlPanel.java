@@ -47,8 +47,8 @@ import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 
 /**
- * The control panel. Its first tab is that of the paper's Fig. 1, the robot with its sensors and their faults; the
- * other one shows the result of the run so far.
+ * The control panel. Its first tab is that of the paper's Fig. 1, the robot with its sensors and their faults. The
+ * others have the settings of the controller, the result of the run so far, and the obstacles.
  */
 public final class ControlPanel extends JPanel {
 
