@@ -84,7 +84,7 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                 Messages.get("signal.distance.first"),
                 "",
                 TraceChannels.MEASURED_DISTANCE,
-                theme -> theme.palette().robot(),
+                theme -> theme.palette().path(),
                 DashPattern.SOLID);
         ChartLine target = new ChartLine(
                 Messages.get("signal.distance.second"),
@@ -112,7 +112,7 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                                 Messages.get(texts + ".first"),
                                 "",
                                 first,
-                                theme -> theme.palette().robot(),
+                                theme -> theme.palette().path(),
                                 DashPattern.SOLID)));
     }
 

@@ -4,6 +4,7 @@ import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.Contrast;
 import faultline.paint.surface.SensorColours;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -47,7 +48,7 @@ final class SensorBadge extends JComponent {
             g.setColor(colours.outline());
             g.setStroke(new BasicStroke(1));
             g.draw(box);
-            paintIndex(g, isLight(colours.fill()) ? Color.BLACK : Color.WHITE);
+            paintIndex(g, numberColour(colours.fill()));
         });
     }
 
@@ -60,8 +61,8 @@ final class SensorBadge extends JComponent {
         g.drawString(number, (float) (size / 2.0 - bounds.getCenterX()), (float) (size / 2.0 - bounds.getCenterY()));
     }
 
-    /** Returns whether black has a higher contrast than white, by the common weights of red, green and blue. */
-    static boolean isLight(Color colour) {
-        return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue() > 125;
+    /** Returns black or white, whichever has the higher contrast. */
+    static Color numberColour(Color fill) {
+        return Contrast.of(Color.BLACK, fill) > Contrast.of(Color.WHITE, fill) ? Color.BLACK : Color.WHITE;
     }
 }

@@ -25,7 +25,9 @@ import java.util.stream.IntStream;
 /** Paints the lanes of the time line. */
 final class LanePainter {
 
-    private static final int BAR_ALPHA = 120;
+    /** In both themes, texts on bars have a contrast of at least 4.5. */
+    static final int BAR_ALPHA = 90;
+
     private static final int BAND_ALPHA = 40;
     private static final int LABEL_ROOM = 6;
     /** The width of the border of a bar. */

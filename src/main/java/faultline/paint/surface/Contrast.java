@@ -2,12 +2,17 @@ package faultline.paint.surface;
 
 import java.awt.Color;
 
-/** The contrast of two colours as the Web Content Accessibility Guidelines define it. */
+/** The contrast of two colours as the Web Content Accessibility Guidelines 2.2 define it. */
 public final class Contrast {
 
     private Contrast() {}
 
-    /** Returns the ratio of contrast, from 1 to 21. */
+    /**
+     * {@return the ratio of contrast, from 1 to 21}
+     *
+     * @param one a colour, whose alpha is ignored
+     * @param other another colour, whose alpha is ignored
+     */
     public static double of(Color one, Color other) {
         double a = luminance(one) + 0.05;
         double b = luminance(other) + 0.05;

@@ -108,6 +108,24 @@ class StripContentTest {
 
     @ParameterizedTest
     @EnumSource(Theme.class)
+    void aCurveIsSeenWhereTwoSensorsAreFaulty(Theme theme) {
+        List<String> sensors = FRAME.snapshot().robot().sensorIds();
+        List<Color> curves = content(SPAN, List.of(), null).signal().lines().stream()
+                .map(line -> line.style(theme).colour())
+                .toList();
+        for (String one : sensors) {
+            for (String other : sensors) {
+                StripContent content = content(SPAN, List.of(fault(one), fault(other)), null);
+                StripScale scale = content.scale(900, 420, true);
+                Color shade = new Color(content.toImage(theme, 1)
+                        .getRGB((int) scale.plot().x(13), (int) scale.plot().y(0.03)));
+                curves.forEach(curve -> assertTrue(Contrast.of(curve, shade) >= 3, one + " and " + other));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
     void theGridIsSeenWhereASensorIsOffOrFaulty(Theme theme) {
         for (Command start :
                 List.of(new Command.SwitchSensor("front", false), new Command.InjectFault("left", new Fault.Dead()))) {

@@ -15,8 +15,12 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.Blend;
+import faultline.paint.surface.Contrast;
+import faultline.paint.surface.Palette;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -28,6 +32,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The lanes of several heights as pictures, without a display. */
@@ -102,6 +107,17 @@ class LanePainterTest {
             assertEquals(0, labelPixels(picture, bar, line), "line " + line + " of " + height);
         }
         assertTrue(labelPixels(picture, bar, height / 2) > 10, "there is no label");
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void theLabelOfABarHasContrast(Theme theme) {
+        for (int sensor = 0; sensor < 16; sensor++) {
+            Color bar = Palette.withAlpha(theme.palette().sensorColours(sensor).fill(), LanePainter.BAR_ALPHA);
+            double contrast = Contrast.of(
+                    theme.palette().text(), Blend.of(bar, theme.palette().canvas()));
+            assertTrue(contrast >= 4.5, "sensor " + sensor + ": " + contrast);
+        }
     }
 
     @Test
