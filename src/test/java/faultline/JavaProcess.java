@@ -27,8 +27,17 @@ public final class JavaProcess {
 
     /** Returns a builder of a process that runs a class. */
     public static ProcessBuilder builder(String mainClass, List<String> arguments) {
+        return builder(classPath(), mainClass, arguments);
+    }
+
+    /** Returns a builder of a process that runs a class, with a folder of further classes. */
+    public static ProcessBuilder builder(Path classes, String mainClass, List<String> arguments) {
+        return builder(classPath() + File.pathSeparator + classes, mainClass, arguments);
+    }
+
+    private static ProcessBuilder builder(String classPath, String mainClass, List<String> arguments) {
         List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath(), mainClass));
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath, mainClass));
         command.addAll(arguments);
         return new ProcessBuilder(command);
     }
@@ -37,7 +46,7 @@ public final class JavaProcess {
      * Returns the classes of the program, those of the tests, and the assertions, which a test runner may load
      * separately.
      */
-    private static String classPath() {
+    public static String classPath() {
         return Stream.of(World.class, JavaProcess.class, Assertions.class)
                         .map(JavaProcess::location)
                         .collect(Collectors.joining(File.pathSeparator, "", File.pathSeparator))

@@ -6,8 +6,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.StateTracker;
 import faultline.io.Message;
 import faultline.io.MessageText;
-import java.net.URISyntaxException;
-import java.net.URL;
+import java.net.URI;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -71,19 +70,33 @@ public final class ControllerProviders {
      */
     public static SortedMap<String, Path> jars() {
         SortedMap<String, Path> jars = new TreeMap<>();
-        all(ControllerThread.TIMEOUT).forEach((name, provider) -> {
-            CodeSource source = provider.getClass().getProtectionDomain().getCodeSource();
-            if (source != null) {
-                file(source.getLocation()).ifPresent(jar -> jars.put(name, jar));
-            }
-        });
+        locations().forEach((name, location) -> file(location).ifPresent(jar -> jars.put(name, jar)));
         return jars;
     }
 
-    private static Optional<Path> file(URL location) {
+    /**
+     * {@return the URLs of the jars or folders that the providers were loaded from, by the names of their controllers,
+     * in alphabetical order} A URL that is not known is empty.
+     *
+     * @throws RunFailedException if a provider cannot be loaded
+     */
+    public static SortedMap<String, String> locations() {
+        SortedMap<String, String> locations = new TreeMap<>();
+        all(ControllerThread.TIMEOUT).forEach((name, provider) -> locations.put(name, location(provider)));
+        return locations;
+    }
+
+    private static String location(ControllerProvider provider) {
+        CodeSource source = provider.getClass().getProtectionDomain().getCodeSource();
+        return source == null || source.getLocation() == null
+                ? ""
+                : source.getLocation().toString();
+    }
+
+    private static Optional<Path> file(String location) {
         try {
-            return Optional.of(Path.of(location.toURI())).filter(Files::isRegularFile);
-        } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
+            return Optional.of(Path.of(URI.create(location))).filter(Files::isRegularFile);
+        } catch (IllegalArgumentException | FileSystemNotFoundException e) {
             return Optional.empty();
         }
     }

@@ -4,6 +4,7 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
 import faultline.scenario.xml.Allowed;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 
 /** The names that choose controllers, and those of their types in scenario files. */
@@ -19,8 +20,17 @@ public final class ControllerNames {
 
     /** {@return the names that are not commands: those of the program and of the class path} */
     public static List<String> all() {
+        return all(ControllerProviders.names());
+    }
+
+    /**
+     * {@return the names of the program's controllers and others}
+     *
+     * @param others the names of controllers of the class path or of jars
+     */
+    public static List<String> all(Collection<String> others) {
         List<String> names = new ArrayList<>(List.of(WALL_FOLLOWER, NONE));
-        names.addAll(ControllerProviders.names());
+        names.addAll(others);
         return names;
     }
 
