@@ -2,6 +2,7 @@ package faultline.gui.batch;
 
 import faultline.campaign.run.Outcome;
 import faultline.external.ControllerChoice;
+import faultline.gui.action.QuitKey;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.ScreenFit;
@@ -51,6 +52,7 @@ abstract class RunsDialog extends JDialog {
             }
         });
         DialogButtons.onEscape(this, this::close);
+        QuitKey.install(this);
     }
 
     /** Lays out the tabs and, below them, the progress and some buttons. */

@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.action.QuitKey;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
@@ -39,6 +40,7 @@ final class GuideDialog extends JDialog {
         content.add(scroll, BorderLayout.CENTER);
         content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
+        QuitKey.install(this);
         RefreshSteps.add(getRootPane(), root -> refresh());
     }
 

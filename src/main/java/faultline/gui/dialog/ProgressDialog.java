@@ -1,11 +1,13 @@
 package faultline.gui.dialog;
 
+import faultline.gui.action.QuitKey;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -27,7 +29,9 @@ public final class ProgressDialog extends JDialog {
 
     private static final int PROGRESS_STEPS = 1000;
     private static final int WIDTH = 380;
-    private static final int GAP = 8;
+    private static final int STEP = 8;
+    /** The height of a title bar that the window manager may add to another dialog, pixels, or more. */
+    private static final int TITLE_HEIGHT = 40;
 
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
 
@@ -49,6 +53,7 @@ public final class ProgressDialog extends JDialog {
         content.add(DialogButtons.createSingleButton(this, "wait.cancel", cancel), BorderLayout.SOUTH);
         setContentPane(content);
         getRootPane().setDefaultButton(null);
+        QuitKey.install(this);
         progressBar.setFocusable(true);
         setFocusTraversalPolicy(new LayoutFocusTraversalPolicy() {
             @Override
@@ -66,13 +71,15 @@ public final class ProgressDialog extends JDialog {
 
     /** Moves this dialog down until it covers no other one of its kind and owner, if the screen has room. */
     private void avoidOthers(Window owner) {
-        List<Window> others = Stream.of(owner.getOwnedWindows())
+        List<Rectangle> taken = Stream.of(owner.getOwnedWindows())
                 .filter(window -> window instanceof ProgressDialog && window.isShowing())
+                .map(Window::getBounds)
                 .toList();
+        taken.forEach(bounds -> bounds.grow(0, TITLE_HEIGHT));
         double bottom = getGraphicsConfiguration().getBounds().getMaxY();
-        while (others.stream().anyMatch(other -> other.getBounds().intersects(getBounds()))
-                && getBounds().getMaxY() + GAP < bottom) {
-            setLocation(getX(), getY() + GAP);
+        while (taken.stream().anyMatch(bounds -> bounds.intersects(getBounds()))
+                && getBounds().getMaxY() + STEP < bottom) {
+            setLocation(getX(), getY() + STEP);
         }
     }
 

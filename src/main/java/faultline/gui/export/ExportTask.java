@@ -1,6 +1,5 @@
 package faultline.gui.export;
 
-import faultline.gui.action.Keystrokes;
 import faultline.gui.dialog.ProgressDialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.FileNames;
@@ -11,13 +10,9 @@ import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
-import java.awt.Window;
-import java.awt.event.KeyEvent;
-import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.Timer;
 
@@ -106,19 +101,12 @@ final class ExportTask {
     }
 
     private void openDialog() {
-        Window owner = JOptionPane.getFrameForComponent(parent);
         dialog = new ProgressDialog(
-                owner,
+                JOptionPane.getFrameForComponent(parent),
                 Messages.get("export.title"),
                 Dialog.ModalityType.MODELESS,
                 Messages.get("export.writing", name()),
                 this::cancel);
-        // The dialog has no menu with the key.
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        event -> owner.dispatchEvent(new WindowEvent(owner, WindowEvent.WINDOW_CLOSING)),
-                        Keystrokes.menuShortcut(KeyEvent.VK_Q),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.setVisible(true);
     }
 

@@ -10,6 +10,7 @@ import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.document.TaskProgress;
 import java.awt.AWTEvent;
+import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
@@ -59,10 +60,11 @@ class ExportProgressRobotTest {
                 .map(name -> startTask(ExportProgressRobotTest::writeSlowly, folder.resolve(name), ends))
                 .toList();
         Await.until("the dialogs", () -> shownDialogs().size() == 2);
-        runOnEdt(() -> assertFalse(shownDialogs()
-                .get(0)
-                .getBounds()
-                .intersects(shownDialogs().get(1).getBounds())));
+        runOnEdt(() -> {
+            Rectangle first = shownDialogs().get(0).getBounds();
+            Rectangle second = shownDialogs().get(1).getBounds();
+            assertFalse(first.intersects(second), first + " and " + second);
+        });
         runOnEdt(() -> tasks.forEach(ExportTask::cancel));
         Await.until("the end of the tasks", () -> ends.size() == 2);
     }
