@@ -46,14 +46,15 @@ public final class ValueSyntax {
     private static final Pattern PLAIN_ID = Pattern.compile("(?!any$)[^\\s.]+");
 
     private static final Pattern BLANK = Pattern.compile("\\s");
-    private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
-    private static final Pattern CHOICE = Pattern.compile("any of\\s+(.+)");
-    private static final String NUMBER = "-?\\d+(?:\\.\\d+)?";
+    // Possessive quantifiers, so that the time is linear and the depth of the stack bounded.
+    private static final Pattern INTERVAL = Pattern.compile("((?:(?!\\.\\.)\\S)++)\\.\\.([^\\s/]++)(?:/(\\d{1,6}+))?+");
+    private static final Pattern CHOICE = Pattern.compile("any of\\s++(\\S.*+)");
+    private static final String NUMBER = "-?\\d++(?:\\.\\d++)?+";
 
     /**
      * A list or range of numbers in another notation, such as 20, or 0-0.8 or 5,10,20; no attribute has such values.
      */
-    private static final Pattern OTHER_NOTATION = Pattern.compile("N,|N-N|N(?:,N){2,}".replace("N", NUMBER));
+    private static final Pattern OTHER_NOTATION = Pattern.compile("N,|N-N|N(?:,N){2,}+".replace("N", NUMBER));
 
     private static final MathContext TWELVE_DIGITS = new MathContext(12);
 

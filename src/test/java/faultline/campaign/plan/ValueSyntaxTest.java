@@ -4,14 +4,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
+import faultline.CpuTime;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ValueSyntaxTest {
@@ -137,5 +140,22 @@ class ValueSyntaxTest {
     @ValueSource(strings = {"", "  ", "4..1", "1..1", "a..b", "1..2/1", "1..", "..2", "1..2 3"})
     void aTextThatIsNoValueIsRefused(String syntax) {
         assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream", false));
+    }
+
+    private static Stream<String> longTexts() {
+        return Stream.of("1..".repeat(20_000) + "/x", "any of" + " ".repeat(80_000) + "a\nb");
+    }
+
+    @ParameterizedTest
+    @MethodSource("longTexts")
+    void aLongTextIsJudgedInLinearTime(String syntax) {
+        CpuTime time = CpuTime.start();
+        ValueSyntax.parse(syntax, "stream", false);
+        time.assertBelow(1);
+    }
+
+    @Test
+    void aLongListInAnotherNotationIsRefused() {
+        assertEquals(Optional.empty(), ValueSyntax.parse("1" + ",1".repeat(100_000), "stream", false));
     }
 }
