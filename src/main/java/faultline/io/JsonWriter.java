@@ -1,6 +1,9 @@
 package faultline.io;
 
-/** Writes one JSON object as one line. Numbers must be finite and read back to the same bits. */
+/**
+ * Writes one JSON object as one line. Numbers must be finite; each has the shortest text that reads back to the same
+ * bits, on any JDK.
+ */
 public final class JsonWriter {
 
     private final StringBuilder text = new StringBuilder(256);
@@ -94,7 +97,7 @@ public final class JsonWriter {
         if (value == Math.rint(value) && Math.abs(value) < 1e15 && (value != 0 || 1 / value > 0)) {
             text.append((long) value);
         } else {
-            text.append(value);
+            text.append(ShortestDecimal.text(value));
         }
         return this;
     }

@@ -160,6 +160,14 @@ class JsonTest {
         assertEquals("{\"n\":" + text + "}", new JsonWriter().member("n", value).finish());
     }
 
+    /** Before JDK 19, {@link Double#toString(double)} had a digit too many for some numbers. */
+    @Test
+    void aNumberHasTheShortestText() {
+        assertEquals(
+                "{\"n\":5.684341886080802E-14}",
+                new JsonWriter().member("n", Math.scalb(1.0, -44)).finish());
+    }
+
     @Test
     void aNumberThatJsonCannotWriteIsRefused() {
         assertThrows(IllegalArgumentException.class, () -> new JsonWriter().member("n", Double.NaN));

@@ -1,5 +1,6 @@
 package faultline.engine.trace;
 
+import faultline.io.ShortestDecimal;
 import faultline.robot.MotorFault;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultDescriptor;
@@ -23,7 +24,7 @@ final class FaultCell {
     }
 
     private static String word(FaultDescriptor<?> kind, double value) {
-        return kind.fileName() + (kind.takesValue() ? "=" + value : "");
+        return kind.fileName() + (kind.takesValue() ? "=" + ShortestDecimal.text(value) : "");
     }
 
     private static String join(Stream<String> words) {
