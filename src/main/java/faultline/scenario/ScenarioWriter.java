@@ -9,6 +9,7 @@ import faultline.io.MessageException;
 import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
+import faultline.scenario.xml.XmlFile;
 import faultline.scenario.xml.XmlFormat;
 import faultline.scenario.xml.XmlWriter;
 import java.io.IOException;
@@ -31,6 +32,7 @@ final class ScenarioWriter {
     static byte[] toBytes(Scenario scenario, XmlComments comments) throws IOException {
         byte[] bytes = toText(scenario, comments).getBytes(StandardCharsets.UTF_8);
         try {
+            XmlFile.checkSize("", bytes.length);
             if (!ScenarioReader.read("", bytes).equals(scenario)) {
                 throw new MessageException("", ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()), null);
             }

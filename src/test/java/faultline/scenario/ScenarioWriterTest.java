@@ -183,6 +183,18 @@ class ScenarioWriterTest {
         assertEquals("what was there before", Files.readString(file));
     }
 
+    /** The journal of a long run with another controller has its decisions. */
+    @Test
+    void aScenarioThatIsTooLargeToBeReadIsNotSaved() throws Exception {
+        Scenario plain = SampleScenario.read(SampleScenario.PLAIN);
+        Scenario large = new Scenario("large", "x".repeat(16 << 20), false, plain.setup(), plain.expectation());
+        Path file = folder.resolve("large.xml");
+        IOException refusal = assertThrows(IOException.class, () -> large.save(file));
+        assertEquals(
+                "the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB", refusal.getMessage());
+        assertFalse(Files.exists(file));
+    }
+
     @Test
     void aMissingFolderIsReportedInOneLine() throws ScenarioException {
         Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);

@@ -77,11 +77,22 @@ public final class XmlFile {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new ScenarioException(name, ProblemKind.IRREGULAR_FILE.with(kind));
         }
-        if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
+        checkSize(name, Files.size(file));
+    }
+
+    /**
+     * Checks the size of a file.
+     *
+     * @param name the name of the file
+     * @param bytes the number of its bytes
+     * @throws ScenarioException if it has more than {@link ScenarioLimits#MAX_BYTES}
+     */
+    public static void checkSize(String name, long bytes) throws ScenarioException {
+        if (bytes > ScenarioLimits.MAX_BYTES) {
             throw new ScenarioException(
                     name,
                     ProblemKind.TOO_MANY_BYTES.with(
-                            ByteCount.format(Files.size(file)), ByteCount.format(ScenarioLimits.MAX_BYTES)));
+                            ByteCount.format(bytes), ByteCount.format(ScenarioLimits.MAX_BYTES)));
         }
     }
 }
