@@ -15,6 +15,7 @@ import faultline.external.ControllerJars;
 import faultline.external.ControllerStartException;
 import faultline.geometry.Pose;
 import faultline.gui.GuiLauncher;
+import faultline.io.MessageException;
 import faultline.io.ProgramCommand;
 import faultline.io.ShellText;
 import faultline.scenario.JournalScenario;
@@ -218,9 +219,7 @@ final class CompareCommand {
             throws IOException {
         files.write(files.page(), comparison.html().getBytes(StandardCharsets.UTF_8));
         files.write(files.table(), comparison.csv().getBytes(StandardCharsets.UTF_8));
-        for (Map.Entry<Path, Scenario> replay : replays.entrySet()) {
-            files.write(replay.getKey(), replay.getValue().toBytes());
-        }
+        List<String> unsaved = writeReplays(files, replays);
         files.commit();
         output.println(comparison.lines());
         comparison.seedRemarks().forEach(remark -> output.println("seeds: " + remark));
@@ -230,6 +229,27 @@ final class CompareCommand {
         compared.forEach(this::reportRefusals);
         comparison.windowCommands().forEach(command -> output.println("window: " + command));
         replays.keySet().forEach(replay -> output.println("replay: " + replay));
-        return compared.stream().allMatch(runs -> runs.broken().isEmpty()) ? ExitCode.SUCCESS : ExitCode.RUN_FAILED;
+        unsaved.forEach(output::printError);
+        if (!compared.stream().allMatch(runs -> runs.broken().isEmpty())) {
+            return ExitCode.RUN_FAILED;
+        }
+        return unsaved.isEmpty() ? ExitCode.SUCCESS : ExitCode.BAD_INPUT;
+    }
+
+    /** Writes the replays but those that cannot be saved, which are removed. Returns why they cannot be saved. */
+    static List<String> writeReplays(ComparisonFiles files, Map<Path, Scenario> replays) throws IOException {
+        List<String> unsaved = new ArrayList<>();
+        for (Map.Entry<Path, Scenario> replay : List.copyOf(replays.entrySet())) {
+            byte[] bytes;
+            try {
+                bytes = replay.getValue().toBytes();
+            } catch (MessageException e) {
+                unsaved.add(replay.getKey() + ": " + e.getMessage());
+                replays.remove(replay.getKey());
+                continue;
+            }
+            files.write(replay.getKey(), bytes);
+        }
+        return unsaved;
     }
 }

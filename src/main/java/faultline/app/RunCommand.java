@@ -6,12 +6,14 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.walls.Coverage;
 import faultline.external.ControllerJars;
+import faultline.io.MessageException;
 import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 
 /** {@code run}: runs a scenario without a window and prints its summary to standard output. */
 final class RunCommand {
@@ -30,15 +32,23 @@ final class RunCommand {
         requireController(scenario, !options.controller().isScenarioDefault());
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result = keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs));
-            outputs.finish(scenario);
-            if (options.json()) {
-                return printJson(scenario, result, options.child().truth());
+            Optional<MessageException> unsaved = outputs.finish(scenario);
+            int code = print(scenario, result, options);
+            if (unsaved.isPresent()) {
+                throw unsaved.get();
             }
-            if (options.child().truth()) {
-                output.println("truth: given to the controller");
-            }
-            return printResult(scenario, result);
+            return code;
         }
+    }
+
+    private int print(Scenario scenario, RunResult result, RunOptions options) {
+        if (options.json()) {
+            return printJson(scenario, result, options.child().truth());
+        }
+        if (options.child().truth()) {
+            output.println("truth: given to the controller");
+        }
+        return printResult(scenario, result);
     }
 
     /** A function that runs a scenario. */
@@ -51,7 +61,7 @@ final class RunCommand {
         try {
             return run.make();
         } catch (HeadlessRun.ResultFailedException e) {
-            outputs.finish(scenario);
+            outputs.finish(scenario).ifPresent(e::addSuppressed);
             throw e;
         }
     }

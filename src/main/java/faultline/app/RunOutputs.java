@@ -6,7 +6,10 @@ import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.engine.trace.TraceWriter;
+import faultline.io.AtomicFile;
 import faultline.io.AtomicFileGroup;
+import faultline.io.MessageException;
+import faultline.io.MessageText;
 import faultline.io.Sha256;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.PngImage;
@@ -24,6 +27,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.zip.Deflater;
 import java.util.zip.GZIPOutputStream;
 
@@ -50,7 +54,7 @@ final class RunOutputs implements AutoCloseable {
     private final RunOptions options;
     private final String scenarioHash;
     private final AtomicFileGroup files = new AtomicFileGroup();
-    private final Map<Output, OutputStream> streams = new EnumMap<>(Output.class);
+    private final Map<Output, AtomicFile> opened = new EnumMap<>(Output.class);
     /** Null unless there is a trace. */
     private TraceWriter traceWriter;
     /** Null unless the trace is compressed. */
@@ -70,7 +74,7 @@ final class RunOutputs implements AutoCloseable {
                 : "";
         try {
             for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {
-                streams.put(output.getKey(), files.create(output.getValue()).stream());
+                opened.put(output.getKey(), files.create(output.getValue()));
             }
         } catch (IOException e) {
             files.close();
@@ -81,23 +85,23 @@ final class RunOutputs implements AutoCloseable {
     /** Returns the observers that must be called after every tick. */
     List<TickObserver> observers() throws IOException {
         List<TickObserver> observers = new ArrayList<>();
-        if (streams.containsKey(Output.TRACE)) {
+        if (opened.containsKey(Output.TRACE)) {
             traceWriter = Double.isFinite(options.pace())
                     ? new TraceWriter(traceStream(), options.traceFormat(), MAX_PACED_ROWS)
                     : new TraceWriter(traceStream(), options.traceFormat());
             observers.add(traceWriter);
         }
-        if (streams.containsKey(Output.TRACE_HEADER)) {
+        if (opened.containsKey(Output.TRACE_HEADER)) {
             observers.add(traced -> simulation = traced);
         }
-        if (streams.containsKey(Output.FILM)) {
-            film = new FilmRecorder(streams.get(Output.FILM));
+        if (opened.containsKey(Output.FILM)) {
+            film = new FilmRecorder(stream(Output.FILM));
             observers.add(film);
         }
-        if (!streams.containsKey(Output.FILM) && !streams.containsKey(Output.IMAGE)) {
+        if (!opened.containsKey(Output.FILM) && !opened.containsKey(Output.IMAGE)) {
             observers.add(Simulation::stopRecordingPath);
         }
-        if (streams.containsKey(Output.IMAGE) || streams.containsKey(Output.JOURNAL)) {
+        if (opened.containsKey(Output.IMAGE) || opened.containsKey(Output.JOURNAL)) {
             observers.add(this::recordEnd);
         }
         if (Double.isFinite(options.pace())) {
@@ -108,7 +112,7 @@ final class RunOutputs implements AutoCloseable {
 
     /** Returns where the trace goes, compressed if its file is named so. */
     private OutputStream traceStream() throws IOException {
-        OutputStream out = streams.get(Output.TRACE);
+        OutputStream out = stream(Output.TRACE);
         if (hasEnding(Output.TRACE, ".gz")) {
             traceEnd = new FastGzip(out);
             return traceEnd;
@@ -128,29 +132,48 @@ final class RunOutputs implements AutoCloseable {
         }
     }
 
-    /** Writes the remaining outputs and moves every file into place. */
-    void finish(Scenario scenario) throws IOException {
+    private OutputStream stream(Output output) {
+        return opened.get(output).stream();
+    }
+
+    /**
+     * Writes the remaining outputs and moves every file into place. Returns why the journal is not among them, if the
+     * run cannot be saved as a scenario.
+     */
+    Optional<MessageException> finish(Scenario scenario) throws IOException {
         if (traceWriter != null) {
             traceWriter.flush();
         }
         if (traceEnd != null) {
             traceEnd.finish();
         }
-        if (streams.containsKey(Output.TRACE_HEADER)) {
+        if (opened.containsKey(Output.TRACE_HEADER)) {
             String header = TraceHeader.text(scenario.name(), options, scenarioHash, simulation);
-            streams.get(Output.TRACE_HEADER).write(header.getBytes(StandardCharsets.UTF_8));
+            stream(Output.TRACE_HEADER).write(header.getBytes(StandardCharsets.UTF_8));
         }
-        if (streams.containsKey(Output.IMAGE)) {
-            writeImage(streams.get(Output.IMAGE));
+        if (opened.containsKey(Output.IMAGE)) {
+            writeImage(stream(Output.IMAGE));
         }
-        if (streams.containsKey(Output.JOURNAL)) {
-            Scenario replay = JournalScenario.create(scenario, journal);
-            streams.get(Output.JOURNAL).write(replay.toBytes());
-        }
+        Optional<MessageException> unsaved =
+                opened.containsKey(Output.JOURNAL) ? writeJournal(scenario) : Optional.empty();
         if (film != null) {
             film.close();
         }
         files.commit();
+        return unsaved;
+    }
+
+    private Optional<MessageException> writeJournal(Scenario scenario) throws IOException {
+        byte[] replay;
+        try {
+            replay = JournalScenario.create(scenario, journal).toBytes();
+        } catch (MessageException unsaved) {
+            files.discard(opened.get(Output.JOURNAL));
+            String name = options.outputs().get(Output.JOURNAL).toString();
+            return Optional.of(new MessageException(MessageText.oneLine(name), unsaved.reason(), unsaved));
+        }
+        stream(Output.JOURNAL).write(replay);
+        return Optional.empty();
     }
 
     /** Writes the last frame, as a drawing if its file is named so. */

@@ -47,6 +47,17 @@ public final class AtomicFileGroup implements AutoCloseable {
     }
 
     /**
+     * Closes a file of this group without a commit. The group contains it no more.
+     *
+     * @param file a file that {@link #create} has returned
+     * @throws IOException if the temporary file cannot be deleted
+     */
+    public synchronized void discard(AtomicFile file) throws IOException {
+        files.remove(file);
+        file.close();
+    }
+
+    /**
      * Moves all files of this group into place, as {@link AtomicFile#commitAll} does.
      *
      * @throws IOException if one cannot be moved

@@ -1,8 +1,19 @@
 package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioLimits;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -20,5 +31,25 @@ class ComparisonFilesTest {
         assertEquals(Path.of("folder", page), files.page());
         assertEquals(Path.of("folder", table), files.table());
         assertEquals(Path.of("folder", replay), files.replay(1));
+    }
+
+    @Test
+    void aReplayThatCannotBeSavedDoesNotKeepTheOthers(@TempDir Path folder) throws Exception {
+        Scenario scenario = Scenario.loadShipped("office.xml");
+        String text = "x".repeat((int) ScenarioLimits.MAX_BYTES);
+        Scenario large = new Scenario("large", text, false, scenario.setup(), scenario.expectation());
+        try (ComparisonFiles files = new ComparisonFiles(folder.resolve("page.html"), 2)) {
+            files.open();
+            Map<Path, Scenario> replays = new LinkedHashMap<>(Map.of(files.replay(0), large));
+            replays.put(files.replay(1), scenario);
+            assertEquals(
+                    List.of(files.replay(0)
+                            + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB"),
+                    CompareCommand.writeReplays(files, replays));
+            assertEquals(Set.of(files.replay(1)), replays.keySet());
+            files.commit();
+            assertTrue(Files.exists(files.replay(1)));
+            assertFalse(Files.exists(files.replay(0)));
+        }
     }
 }

@@ -10,6 +10,7 @@ import faultline.campaign.plan.SamplePlan;
 import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioLimits;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -325,6 +326,27 @@ class OutputFilesTest {
         }
         assertEquals(102, Files.readAllLines(trace).size());
         assertEquals(scenario.name(), Scenario.load(journal).name());
+    }
+
+    @Test
+    void theOtherOutputsAreKeptWhenTheJournalCannotBeSaved() throws Exception {
+        Path trace = folder.resolve("trace.csv");
+        Path journal = folder.resolve("journal.xml");
+        RunOptions options = RunOptions.parse(List.of(
+                SCENARIO.toString(), "--until", "1", "--trace", trace.toString(), "--journal", journal.toString()));
+        Scenario scenario = options.applyTo(Scenario.load(SCENARIO));
+        String text = "x".repeat((int) ScenarioLimits.MAX_BYTES);
+        Scenario large = new Scenario("large", text, false, scenario.setup(), scenario.expectation());
+        try (RunOutputs outputs = new RunOutputs(options)) {
+            HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+            assertEquals(
+                    journal + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB",
+                    outputs.finish(large).orElseThrow().getMessage());
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of(trace), files.toList());
+        }
+        assertEquals(102, Files.readAllLines(trace).size());
     }
 
     @Test
