@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
@@ -291,7 +292,7 @@ final class ChildProcess implements AutoCloseable {
     }
 
     private void end() {
-        List<ProcessHandle> descendants = process.descendants().toList();
+        Set<ProcessHandle> descendants = descendants(process.toHandle());
         closeInput();
         if (!waitFor(GRACE_SECONDS)) {
             process.destroy();
@@ -350,8 +351,17 @@ final class ChildProcess implements AutoCloseable {
         }
     }
 
+    /** Returns the descendants of a process; none if they cannot be listed, as without free file descriptors. */
+    static Set<ProcessHandle> descendants(ProcessHandle process) {
+        try {
+            return DetachedProcesses.listed(process::descendants);
+        } catch (IOException unknown) {
+            return Set.of();
+        }
+    }
+
     private void killTree() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        descendants(process.toHandle()).forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
         detached.killAll();
     }

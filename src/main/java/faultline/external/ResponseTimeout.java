@@ -82,7 +82,7 @@ final class ResponseTimeout {
 
     private Map<Path, Long> delays() {
         Map<Path, Long> delays = new HashMap<>();
-        Stream.concat(Stream.of(child), child.descendants())
+        Stream.concat(Stream.of(child), ChildProcess.descendants(child).stream())
                 .map(process -> Path.of("/proc", Long.toString(process.pid()), "task"))
                 .forEach(threads -> addDelays(threads, delays));
         return delays;
