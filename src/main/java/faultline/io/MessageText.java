@@ -8,6 +8,9 @@ public final class MessageText {
 
     private static final int MAX_EXCERPT_LENGTH = 60;
 
+    /** The beginning of a formula, or of a text with an apostrophe before it. */
+    private static final Pattern FORMULA = Pattern.compile("'*+[=+@-]");
+
     private MessageText() {}
 
     /**
@@ -83,10 +86,16 @@ public final class MessageText {
      * @param text the text
      */
     public static String cell(String text) {
-        boolean formula = !text.isEmpty()
-                && "=+-@".indexOf(text.charAt(0)) >= 0
-                && DecimalText.parse(text).isEmpty();
-        return formula ? "'" + text : text;
+        return FORMULA.matcher(text).lookingAt() && DecimalText.parse(text).isEmpty() ? "'" + text : text;
+    }
+
+    /**
+     * {@return the text that {@link #cell} has made a cell of}
+     *
+     * @param cell the cell
+     */
+    public static String textOfCell(String cell) {
+        return cell.startsWith("'") && FORMULA.matcher(cell).lookingAt() ? cell.substring(1) : cell;
     }
 
     /**

@@ -41,13 +41,13 @@ public final class Csv {
             } else if (c == '"') {
                 inQuotes = !inQuotes;
             } else if (c == ',' && !inQuotes) {
-                cells.add(cell.toString());
+                cells.add(MessageText.textOfCell(cell.toString()));
                 cell.setLength(0);
             } else {
                 cell.append(c);
             }
         }
-        cells.add(cell.toString());
+        cells.add(MessageText.textOfCell(cell.toString()));
         return cells;
     }
 }
