@@ -4,6 +4,8 @@ import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
+import faultline.gui.theme.TextSize;
+import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -17,11 +19,39 @@ final class HealthRows extends JPanel {
     private static final double PERCENT = 100;
     private static final String LONGEST_SINCE = "0000.00 s";
     private static final double MAX_EXACT_SECONDS = 9999.995;
+    /** The width that an id has if there is room, and that below which it is not shortened, at the normal text size. */
+    private static final int NAME_WIDTH = 92;
+
+    private static final int MIN_NAME_WIDTH = 48;
 
     private record HealthRow(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {
 
         void clear() {
             Stream.of(finding, evidence, since).forEach(value -> value.setValue(ValueLabel.NONE));
+        }
+    }
+
+    /** The id of a sensor, shortened if its column is too narrow for it. Its tool tip is the whole id. */
+    private static final class NameLabel extends JLabel {
+
+        NameLabel(String id) {
+            super(id);
+            setToolTipText(id);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            return limitedTo(NAME_WIDTH);
+        }
+
+        @Override
+        public Dimension getMinimumSize() {
+            return limitedTo(MIN_NAME_WIDTH);
+        }
+
+        private Dimension limitedTo(int width) {
+            Dimension natural = super.getPreferredSize();
+            return new Dimension(Math.min(natural.width, TextSize.scaled(width)), natural.height);
         }
     }
 
@@ -92,7 +122,7 @@ final class HealthRows extends JPanel {
 
     private void addRow(String id) {
         HealthRow row = new HealthRow(
-                new JLabel(id),
+                new NameLabel(id),
                 value(id, "health.finding", () -> Stream.of(SensorFinding.values())
                         .map(HealthRows::name)
                         .toList()),

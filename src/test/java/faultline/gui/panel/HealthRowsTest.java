@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,11 +9,18 @@ import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
 import java.util.List;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
+@ExtendWith(EdtChecker.class)
 class HealthRowsTest {
 
     @ParameterizedTest
@@ -29,5 +37,42 @@ class HealthRowsTest {
         assertEquals(expected, callOnEdt(since::getText));
         int width = callOnEdt(() -> since.getFontMetrics(since.getFont()).stringWidth(expected));
         assertTrue(width <= callOnEdt(since::getPreferredSize).width, "it is cut off");
+    }
+
+    /** Where the row of a usual id has just enough room, that of a long one has too. */
+    @ParameterizedTest
+    @EnumSource(TextSize.class)
+    void aLongIdIsShortenedInItsRow(TextSize size) {
+        String longId = "a-very-long-sensor-id-".repeat(4);
+        runOnEdt(() -> {
+            size.install();
+            Theme.LIGHT.install();
+            int usual = rows("front-right").getPreferredSize().width;
+            HealthRows rows = rows(longId);
+            placeInTab(rows, usual);
+            JLabel name = ComponentFinder.findAll(rows, JLabel.class)
+                    .filter(label -> longId.equals(label.getText()))
+                    .findFirst()
+                    .orElseThrow();
+            JLabel since = ComponentFinder.find(rows, JLabel.class, longId + ": Since");
+            assertEquals(name.getY(), since.getY(), "the row is wrapped");
+            assertTrue(since.getX() + since.getWidth() <= rows.getWidth(), "the row is cut off");
+            assertEquals(longId, name.getToolTipText());
+        });
+    }
+
+    private static HealthRows rows(String id) {
+        HealthRows rows = new HealthRows();
+        rows.setHealth(List.of(id), List.of(), 0.01);
+        return rows;
+    }
+
+    private static void placeInTab(HealthRows rows, int width) {
+        ControlPanel.NarrowingColumn column = new ControlPanel.NarrowingColumn();
+        column.add(rows);
+        JScrollPane tab = new JScrollPane(column);
+        tab.setBorder(null);
+        tab.setSize(width, 400);
+        ComponentFinder.layOut(tab);
     }
 }
