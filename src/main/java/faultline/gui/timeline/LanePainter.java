@@ -1,13 +1,13 @@
 package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
-import faultline.gui.text.ShortenedText;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.chart.Axis;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.SensorColours;
+import faultline.paint.surface.ShortenedText;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;

@@ -31,6 +31,12 @@ final class BadgePainter {
         return Math.ceil(text + symbolWidth + 3 * PADDING);
     }
 
+    /** Returns the lines of a badge, each shortened if it would make the badge wider than a width, pixels. */
+    static List<String> shortened(DrawContext context, List<String> lines, double symbolWidth, double width) {
+        double room = width - symbolWidth - 3 * PADDING;
+        return lines.stream().map(line -> context.shortenText(line, room)).toList();
+    }
+
     /** Paints a badge with its upper left corner at a point; returns the middle of the left edge of the symbol. */
     static Vector2 paint(
             DrawContext context, Vector2 corner, List<String> lines, double symbolWidth, Color edge, double edgeWidth) {

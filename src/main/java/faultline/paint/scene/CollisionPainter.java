@@ -54,7 +54,11 @@ final class CollisionPainter {
      */
     static void paintBadge(DrawContext context, Snapshot world, SceneLabels labels, List<Rectangle2D> covered) {
         Color colour = context.palette().collision();
-        List<String> lines = badgeLines(world.collision().orElseThrow(), labels);
+        List<String> lines = BadgePainter.shortened(
+                context,
+                badgeLines(world.collision().orElseThrow(), labels),
+                2 * DOT_RADIUS,
+                context.camera().width() - 2 * BADGE_MARGIN);
         double width = BadgePainter.width(context, lines, 2 * DOT_RADIUS);
         double height = BadgePainter.height(context, lines.size());
         Rectangle2D robot = CornerChoice.robotArea(context.camera(), world.robot(), world.pose());

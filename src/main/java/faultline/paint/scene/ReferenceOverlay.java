@@ -6,7 +6,7 @@ import java.util.List;
 
 /**
  * A reference run, shown beside the run in the frame, with moments marked on its path and lines of text for the corner
- * of the picture.
+ * of the picture, at least one, whose first ends with the name of the run.
  */
 public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark> marks) {
 

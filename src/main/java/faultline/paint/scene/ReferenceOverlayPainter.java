@@ -122,11 +122,25 @@ public final class ReferenceOverlayPainter {
         context.drawLabel(text, at.x(), at.y() - MARK_RADIUS - context.scaleToFont(LABEL_GAP), colour);
     }
 
+    /**
+     * Returns a caption that fits in the picture. Its first line, which may end with a long name, is not wider than
+     * half of it or the other lines.
+     */
+    private static List<String> shortenedCaption(DrawContext context, List<String> caption) {
+        double width = captionArea(context).getWidth();
+        List<String> others = BadgePainter.shortened(context, caption.subList(1, caption.size()), SAMPLE_LENGTH, width);
+        double nameWidth = Math.max(width / 2, BadgePainter.width(context, others, SAMPLE_LENGTH));
+        List<String> lines =
+                new ArrayList<>(BadgePainter.shortened(context, caption.subList(0, 1), SAMPLE_LENGTH, nameWidth));
+        lines.addAll(others);
+        return lines;
+    }
+
     /** Paints the caption with a sample of the robot's outline, given what places a box of its size. */
     private static void paintCaption(
             DrawContext context, ReferenceOverlay reference, UnaryOperator<Rectangle2D> placement) {
         Color colour = context.palette().reference();
-        List<String> caption = reference.caption();
+        List<String> caption = shortenedCaption(context, reference.caption());
         Rectangle2D size = new Rectangle2D.Double(
                 0,
                 0,

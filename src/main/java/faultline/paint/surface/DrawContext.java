@@ -99,6 +99,11 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
         return font.getStringBounds(text, surface.fontRenderContext());
     }
 
+    /** Returns a text, with dots in place of its end if it is wider than a width, pixels. */
+    public String shortenText(String text, double width) {
+        return ShortenedText.of(text, font, surface.fontRenderContext(), width);
+    }
+
     /** Draws a text; x and y are those of the start of its baseline. */
     public void drawText(String text, double x, double y, Color colour) {
         surface.drawText(text, x, y, colour, font);

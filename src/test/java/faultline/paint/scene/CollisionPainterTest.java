@@ -68,9 +68,27 @@ class CollisionPainterTest {
         assertTrue(right.x > WIDTH / 2 - 100, right.toString());
     }
 
-    /** Returns the upper left corner of the pixels that the badge changes in a picture of 8 m by 4 m. */
+    @Test
+    void theBadgeStaysInThePictureWhateverTheObstacleIsCalled() {
+        BufferedImage image = paintBadge("desk-".repeat(20), new Pose(4, 1, 0), List.of());
+        int right = firstWhere(WIDTH, x -> isPainted(image, WIDTH - 1 - x));
+        assertTrue(right >= 3 && right < 20, "the distance from the right edge of the picture is " + right);
+    }
+
+    private static boolean isPainted(BufferedImage image, int column) {
+        return IntStream.range(0, HEIGHT).anyMatch(y -> image.getRGB(column, y) != 0);
+    }
+
+    /** Returns the upper left corner of the pixels that the badge changes. */
     private static Point cornerOfBadge(Pose robot, List<Rectangle2D> covered) {
-        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of(), MotorFaults.NONE);
+        BufferedImage image = paintBadge("desk", robot, covered);
+        return new Point(firstWhere(WIDTH, x -> isPainted(image, x)), firstWhere(HEIGHT, y -> IntStream.range(0, WIDTH)
+                .anyMatch(x -> image.getRGB(x, y) != 0)));
+    }
+
+    /** Returns a picture of 8 m by 4 m with only the badge. */
+    private static BufferedImage paintBadge(String obstacle, Pose robot, List<Rectangle2D> covered) {
+        Collision collision = new Collision(POINT, 12.48, 1248, obstacle, Map.of(), List.of(), MotorFaults.NONE);
         Snapshot world = SampleFrames.frame(
                         robot,
                         SampleFrames.pathThrough(robot.position()),
@@ -85,9 +103,7 @@ class CollisionPainterTest {
         CollisionPainter.paintBadge(
                 new DrawContext(graphics, camera, Palette.LIGHT), world, SceneLabels.ENGLISH, covered);
         graphics.dispose();
-        return new Point(
-                firstWhere(WIDTH, x -> IntStream.range(0, HEIGHT).anyMatch(y -> image.getRGB(x, y) != 0)),
-                firstWhere(HEIGHT, y -> IntStream.range(0, WIDTH).anyMatch(x -> image.getRGB(x, y) != 0)));
+        return image;
     }
 
     private static int firstWhere(int end, IntPredicate condition) {

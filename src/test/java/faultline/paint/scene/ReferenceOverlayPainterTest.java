@@ -26,6 +26,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ReferenceOverlayPainterTest {
 
@@ -131,6 +133,24 @@ class ReferenceOverlayPainterTest {
                             context, ghost, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
             assertEquals(size < 1, caption.intersects(corner), "a ghost of " + size + " m: " + caption);
         }
+    }
+
+    /** In the second picture, the name may be as wide as the other line, which is wider than half of the picture. */
+    @ParameterizedTest
+    @CsvSource({"800, 400", "340, 324", "120, 104"})
+    void theCaptionOfALongNameStaysInThePicture(int width, int maxWidth) throws ScenarioException {
+        ReferenceRun run = ghostOf(0.2, 0).run();
+        ReferenceOverlay ghost = new ReferenceOverlay(
+                run, List.of("Ghost: " + "long ".repeat(40), "Differs from this run from 10.00 s on"), List.of());
+        Snapshot world = officeAt(0);
+        Camera camera = new Camera(world.pose().x() + 20, world.pose().y(), 100, width, HEIGHT);
+        Rectangle caption = painted(
+                camera,
+                context -> ReferenceOverlayPainter.paintAnnotations(
+                        context, ghost, world, ReferenceOverlayPainter.createCornerChoice(), List.of()));
+        assertTrue(caption.getMaxX() <= width - 4, caption + " is not in the picture");
+        assertTrue(caption.width <= maxWidth, caption + " is wide");
+        assertTrue(caption.width >= maxWidth * 0.7, caption + " is narrow");
     }
 
     private static Rectangle aboveOf(Rectangle bar) {
