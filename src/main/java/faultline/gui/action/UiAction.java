@@ -2,6 +2,7 @@ package faultline.gui.action;
 
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
+import faultline.gui.theme.UiText;
 import java.awt.event.ActionEvent;
 import java.util.Locale;
 import java.util.Optional;
@@ -60,11 +61,16 @@ public final class UiAction extends AbstractAction {
         return this;
     }
 
-    /** Sets a name with a placeholder; the other texts are those of its own key. */
+    /**
+     * Sets a name with a placeholder for a value, which is shortened if it is long; the other texts are those of its
+     * own key.
+     */
     public void rename(String textKey, String value) {
         texts = () -> {
             setTexts(key);
-            putValue(Action.NAME, Messages.get("action." + textKey, value).replaceFirst("&", ""));
+            putValue(
+                    Action.NAME,
+                    Messages.get("action." + textKey, UiText.shortName(value)).replaceFirst("&", ""));
         };
         texts.run();
     }

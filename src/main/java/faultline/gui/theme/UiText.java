@@ -1,9 +1,12 @@
 package faultline.gui.theme;
 
 import faultline.gui.text.Messages;
+import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.ShortenedText;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.Insets;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -19,11 +22,21 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
+import javax.swing.UIManager;
 
 /** Texts of components that follow the language; see {@link RefreshSteps}. */
 public final class UiText {
 
+    /** The maximum width of a name in a menu or a list, pixels at the normal text size. */
+    private static final int MAX_NAME_WIDTH = 300;
+
     private UiText() {}
+
+    /** Returns a name that is shown in a menu or a list, shortened if it would make that too wide. */
+    public static String shortName(String name) {
+        Font font = UIManager.getFont("MenuItem.font");
+        return ShortenedText.of(name, font, DrawContext.FONT_CONTEXT, TextSize.scaled(MAX_NAME_WIDTH));
+    }
 
     /** Creates a label with the text of a key. */
     public static JLabel label(String key) {
@@ -80,9 +93,9 @@ public final class UiText {
         return RefreshSteps.add(item, self -> setMarkedText(self, Messages.get(key)));
     }
 
-    /** Does the same with a value in place of the text's placeholder. */
-    public static <B extends AbstractButton> B menuText(B item, String key, String value) {
-        return RefreshSteps.add(item, self -> setMarkedText(self, Messages.get(key, value)));
+    /** Does the same with a name, which is shortened, in place of the text's placeholder. */
+    public static <B extends AbstractButton> B menuText(B item, String key, String name) {
+        return RefreshSteps.add(item, self -> setMarkedText(self, Messages.get(key, shortName(name))));
     }
 
     private static void setMarkedText(AbstractButton item, String marked) {

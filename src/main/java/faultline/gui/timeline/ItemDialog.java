@@ -5,6 +5,7 @@ import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Command;
@@ -54,7 +55,7 @@ final class ItemDialog {
     private void addLaneField() {
         String name = item.lane() instanceof Lane.SensorLane ? "faults.sensor" : "timeline.motors";
         lane.getAccessibleContext().setAccessibleName(Messages.get(name));
-        lane.setRenderer(NamedChoice.rendererOf(Lane::label));
+        lane.setRenderer(NamedChoice.rendererOf(other -> UiText.shortName(other.label()), Lane::label));
         form.add(FormConstraints.label(name, lane), FormConstraints.cell(0, 0));
         form.add(lane, FormConstraints.fillRow(1, 0));
     }

@@ -5,9 +5,7 @@ import faultline.gui.settings.RecentFiles;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextDirection;
 import faultline.gui.theme.RefreshSteps;
-import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
-import faultline.paint.surface.ShortenedText;
 import java.awt.event.HierarchyEvent;
 import java.awt.event.HierarchyListener;
 import java.nio.file.Path;
@@ -18,9 +16,6 @@ import javax.swing.JMenuItem;
 
 /** The menu of recently opened files, rebuilt each time the menu that contains it opens. */
 final class RecentMenu extends JMenu {
-
-    /** The maximum width of the name of a file and of that of its folder, pixels at the normal text size. */
-    private static final int MAX_NAME_WIDTH = 300;
 
     private final transient RecentFiles recentFiles;
     private final transient Consumer<Path> opener;
@@ -51,16 +46,15 @@ final class RecentMenu extends JMenu {
 
     private JMenuItem createItem(int number, Path file) {
         JMenuItem item = new JMenuItem();
-        String text = shortened(item, file.getFileName()) + "  –  " + shortened(item, file.getParent());
+        String text = shortened(file.getFileName()) + "  –  " + shortened(file.getParent());
         ContextMenu.number(item, number, TextDirection.leftToRight(text));
         item.setToolTipText(file.toString());
         item.addActionListener(event -> opener.accept(file));
         return item;
     }
 
-    private static String shortened(JMenuItem item, Path path) {
-        return ShortenedText.of(
-                String.valueOf(path), item.getFontMetrics(item.getFont()), TextSize.scaled(MAX_NAME_WIDTH));
+    private static String shortened(Path path) {
+        return UiText.shortName(String.valueOf(path));
     }
 
     /**

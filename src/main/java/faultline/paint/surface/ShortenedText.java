@@ -20,7 +20,8 @@ public final class ShortenedText {
         return of(text, metrics.getFont(), metrics.getFontRenderContext(), width);
     }
 
-    static String of(String text, Font font, FontRenderContext context, double width) {
+    /** Returns the same for a font, given how texts are measured. */
+    public static String of(String text, Font font, FontRenderContext context, double width) {
         if (text.isEmpty() || width(text, font, context) <= width) {
             return text;
         }

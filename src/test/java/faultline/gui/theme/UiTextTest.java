@@ -1,17 +1,20 @@
 package faultline.gui.theme;
 
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.JList;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
-/** Tabs and the keys of what they contain. */
+/** Tabs and the keys of what they contain, and names in menus. */
 class UiTextTest {
 
     private final JList<String> list = new JList<>();
@@ -46,5 +49,16 @@ class UiTextTest {
                 "none",
                 scroll.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                         .get(next));
+    }
+
+    @Test
+    void aLongNameIsShortenedInAMenu() {
+        runOnEdt(() -> {
+            JMenuItem item = UiText.menuText(new JMenuItem(), "robotMenu.repair", "sensor-".repeat(15));
+            assertTrue(item.getText().matches("Repair (sensor-)+\\S*\\.\\.\\."), item.getText());
+            assertTrue(
+                    item.getPreferredSize().width < 500, item.getPreferredSize().toString());
+            assertEquals("front-right", UiText.shortName("front-right"));
+        });
     }
 }

@@ -205,6 +205,22 @@ class TimelineRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
     }
 
+    @Test
+    void theChoiceOfTheSensorOfAFaultIsNotAsWideAsALongId() throws IOException {
+        String id = "sensor-".repeat(14);
+        String sensor = "><sensor id=\"" + id + "\" x=\"0.1\" y=\"0\" bearing=\"10\" range=\"0.5\"/></robot>";
+        Path other = Files.writeString(
+                folder.resolve("other.xml"), Files.readString(file).replaceFirst("(<robot [^>]*)/>", "$1" + sensor));
+        GuiRobot.runOnEdt(() -> driver.window().open(other));
+        driver.waitForTitle("other.xml");
+        openNewFault();
+        JComboBox<?> choice = ComponentFinder.find(driver.dialog(NEW_FAULT), JComboBox.class, "Sensor");
+        assertEquals(9, GuiRobot.callOnEdt(choice::getItemCount));
+        int width = GuiRobot.callOnEdt(choice::getWidth);
+        assertTrue(width < 500, "it has a width of " + width);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+    }
+
     private void enterInto(JTextField field, int key) {
         driver.click(field);
         driver.robot().waitFor("the field has the focus", field::isFocusOwner);
