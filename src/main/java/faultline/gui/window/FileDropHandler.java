@@ -1,13 +1,17 @@
 package faultline.gui.window;
 
+import faultline.gui.text.Messages;
 import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.TransferHandler;
 
 /**
@@ -16,10 +20,17 @@ import javax.swing.TransferHandler;
  */
 final class FileDropHandler extends TransferHandler {
 
-    private final transient Consumer<List<Path>> opener;
+    private static final String FILES = "file:///";
+    private static final String LOCAL_HOST = "file://localhost/";
+    static final DataFlavor URI_LIST = new DataFlavor("text/uri-list;class=java.lang.String", null);
 
-    FileDropHandler(Consumer<List<Path>> opener) {
+    private final transient Consumer<List<Path>> opener;
+    private final transient Consumer<String> note;
+
+    /** Creates a handler; {@code note} receives a sentence if something else than files of this computer is dropped. */
+    FileDropHandler(Consumer<List<Path>> opener, Consumer<String> note) {
         this.opener = opener;
+        this.note = note;
     }
 
     /** Accepts files that may be copied: a program deletes files that it moves, which are only read here. */
@@ -43,20 +54,44 @@ final class FileDropHandler extends TransferHandler {
             return false;
         }
         try {
-            Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            List<Path> files = data instanceof List<?> list
-                    ? list.stream()
-                            .filter(File.class::isInstance)
-                            .map(file -> ((File) file).toPath())
-                            .toList()
-                    : List.of();
+            List<Path> files = filesOf(support.getTransferable());
             if (files.isEmpty()) {
+                note.accept(Messages.get("note.noLocalFile"));
                 return false;
             }
             EventQueue.invokeLater(() -> opener.accept(files));
             return true;
         } catch (UnsupportedFlavorException | IOException lost) {
             return false;
+        }
+    }
+
+    /** Returns the files of this computer; Java leaves out those with the name of a host, even of this one. */
+    private static List<Path> filesOf(Transferable dropped) throws UnsupportedFlavorException, IOException {
+        Object data = dropped.getTransferData(DataFlavor.javaFileListFlavor);
+        Stream<?> files = data instanceof List<?> list ? list.stream() : Stream.empty();
+        List<Path> found = files.filter(File.class::isInstance)
+                .map(file -> ((File) file).toPath())
+                .toList();
+        return found.isEmpty() && dropped.isDataFlavorSupported(URI_LIST)
+                ? filesOf(dropped.getTransferData(URI_LIST).toString())
+                : found;
+    }
+
+    private static List<Path> filesOf(String uris) {
+        return uris.lines()
+                .map(String::strip)
+                .filter(uri -> uri.regionMatches(true, 0, LOCAL_HOST, 0, LOCAL_HOST.length()))
+                .flatMap(uri -> fileOf(FILES + uri.substring(LOCAL_HOST.length())))
+                .toList();
+    }
+
+    /** Returns the file of a URI, or nothing if it is invalid. */
+    private static Stream<Path> fileOf(String uri) {
+        try {
+            return Stream.of(Path.of(URI.create(uri)));
+        } catch (IllegalArgumentException invalid) {
+            return Stream.empty();
         }
     }
 }

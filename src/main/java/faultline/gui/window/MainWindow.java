@@ -126,7 +126,8 @@ public final class MainWindow extends JFrame {
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
-        setTransferHandler(new FileDropHandler(files -> fileController.openFirst(files, this::showNote)));
+        setTransferHandler(
+                new FileDropHandler(files -> fileController.openFirst(files, this::showNote), this::showNote));
         TextDropHandler.install(mainPanel, getTransferHandler());
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);

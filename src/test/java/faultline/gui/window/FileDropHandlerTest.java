@@ -9,17 +9,21 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.io.File;
+import java.net.URI;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JPanel;
 import javax.swing.TransferHandler.TransferSupport;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class FileDropHandlerTest {
 
     private final List<List<Path>> opened = new ArrayList<>();
-    private final FileDropHandler drop = new FileDropHandler(opened::add);
+    private final List<String> notes = new ArrayList<>();
+    private final FileDropHandler drop = new FileDropHandler(opened::add, notes::add);
 
     @Test
     void theDroppedFilesArePassedOnAfterTheDrop() {
@@ -36,6 +40,23 @@ class FileDropHandlerTest {
         assertFalse(drop.importData(support(new StringSelection("a.xml"))));
         assertFalse(drop.importData(support(new FileListTransferable(List.of()))));
         runOnEdt(() -> assertEquals(List.of(), opened));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"http://example.org/a.xml", "sftp://localhost/a.xml", "file://other/a.xml", "file://localhost/%"
+            })
+    void aLinkThatIsNoFileOfThisComputerIsRefusedWithANote(String link) {
+        assertFalse(drop.importData(support(new LinkTransferable(link + "\r\n"))));
+        runOnEdt(() -> assertEquals(List.of(), opened));
+        assertEquals(List.of("Only files on this computer can be opened"), notes);
+    }
+
+    @Test
+    void aFileWithTheNameOfThisHostIsPassedOn() {
+        assertTrue(drop.importData(support(new LinkTransferable("# comment\r\nfile://localhost/tmp/a%20b.xml\r\n"))));
+        runOnEdt(() -> assertEquals(List.of(List.of(Path.of(URI.create("file:///tmp/a%20b.xml")))), opened));
+        assertEquals(List.of(), notes);
     }
 
     private static TransferSupport support(Transferable what) {
@@ -56,6 +77,24 @@ class FileDropHandlerTest {
         @Override
         public Object getTransferData(DataFlavor flavor) {
             return files;
+        }
+    }
+
+    /** Links as a file manager passes them on, in none of which Java finds a file. */
+    private record LinkTransferable(String links) implements Transferable {
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.javaFileListFlavor, FileDropHandler.URI_LIST};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return List.of(getTransferDataFlavors()).contains(flavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavor) {
+            return flavor.equals(DataFlavor.javaFileListFlavor) ? List.of() : links;
         }
     }
 }
