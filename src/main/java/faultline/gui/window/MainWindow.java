@@ -126,8 +126,7 @@ public final class MainWindow extends JFrame {
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
-        setTransferHandler(
-                new FileDropHandler(files -> fileController.openFirst(files, this::showNote), this::showNote));
+        setTransferHandler(createDropHandler(() -> {}));
         TextDropHandler.install(mainPanel, getTransferHandler());
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
@@ -141,6 +140,16 @@ public final class MainWindow extends JFrame {
         workspace.addListener(new WorkspaceEvents());
         runPoller = createRunPoller();
         runPoller.start();
+    }
+
+    /** Creates what opens the first of some dropped files, after a runnable. */
+    private FileDropHandler createDropHandler(Runnable before) {
+        return new FileDropHandler(
+                files -> {
+                    before.run();
+                    fileController.openFirst(files, this::showNote);
+                },
+                this::showNote);
     }
 
     private ObstacleActions createObstacleActions() {
@@ -374,15 +383,17 @@ public final class MainWindow extends JFrame {
         canvas.runAfterNextPaint(listener);
     }
 
-    /** Shows the gallery of shipped scenarios in front of the window until the user closes it. */
+    /** Shows the gallery of shipped scenarios in front of the window until the user closes it or drops a file on it. */
     public void showExamples() {
-        new Gallery(
-                        this,
-                        fileController::openShipped,
-                        preferences.get(Preference.GALLERY_SHOWN),
-                        shown -> preferences.set(Preference.GALLERY_SHOWN, shown),
-                        this::startTour)
-                .setVisible(true);
+        Gallery gallery = new Gallery(
+                this,
+                fileController::openShipped,
+                preferences.get(Preference.GALLERY_SHOWN),
+                shown -> preferences.set(Preference.GALLERY_SHOWN, shown),
+                this::startTour);
+        gallery.setTransferHandler(createDropHandler(gallery::dispose));
+        TextDropHandler.install(gallery.getContentPane(), gallery.getTransferHandler());
+        gallery.setVisible(true);
     }
 
     private void startTour() {

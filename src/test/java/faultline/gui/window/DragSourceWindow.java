@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import java.awt.Dialog;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.dnd.DnDConstants;
@@ -26,10 +27,11 @@ final class DragSourceWindow {
 
     /**
      * Creates the window, not yet visible, whose files may be copied or moved, at the right of the screen: over the
-     * window under test if that is wide.
+     * window under test if that is wide. A modal dialog does not block it, as one does not block another program.
      */
     static JFrame create(Path... files) {
         JFrame frame = new JFrame("Files");
+        frame.setModalExclusionType(Dialog.ModalExclusionType.APPLICATION_EXCLUDE);
         JLabel label = new JLabel(files[0].getFileName().toString());
         DragSource.getDefaultDragSource()
                 .createDefaultDragGestureRecognizer(

@@ -27,6 +27,7 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
@@ -35,6 +36,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Opens scenarios in a real window in all possible ways, and tests the questions before changes are discarded. */
 @ExtendWith(EdtChecker.class)
@@ -136,6 +139,16 @@ class OpenRobotTest {
 
     private static Object dropAction(JFrame source) {
         return source.getRootPane().getClientProperty(DragSourceWindow.DROP_ACTION);
+    }
+
+    @ParameterizedTest
+    @ValueSource(classes = {JScrollPane.class, JTextField.class})
+    void aFileDroppedOnTheGalleryOpensAndClosesIt(Class<? extends Component> target) {
+        driver.chooseLater("examples");
+        JDialog gallery = driver.dialog(Messages.get("gallery.title"));
+        drop(ComponentFinder.findAll(gallery, target).findFirst().orElseThrow(), square);
+        driver.waitForTitle("square.xml");
+        assertFalse(callOnEdt(gallery::isShowing), "the gallery is open");
     }
 
     @Test
