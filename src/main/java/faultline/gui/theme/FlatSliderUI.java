@@ -50,6 +50,9 @@ public final class FlatSliderUI extends BasicSliderUI {
     @Override
     protected TrackListener createTrackListener(JSlider ofSlider) {
         return new TrackListener() {
+            /** Whether the value was being adjusted after the last event; pressing the thumb alone adjusts nothing. */
+            private boolean adjusting;
+
             @Override
             public void mousePressed(MouseEvent event) {
                 if (slider.isEnabled()
@@ -60,13 +63,15 @@ public final class FlatSliderUI extends BasicSliderUI {
                     event.translatePoint(0, (int) thumbRect.getCenterY() - event.getY());
                 }
                 super.mousePressed(event);
+                adjusting = slider.getValueIsAdjusting();
             }
 
             /** Ignores the rest of a drag that has been ended before the button is released. */
             @Override
             public void mouseDragged(MouseEvent event) {
-                if (slider.getValueIsAdjusting()) {
+                if (!adjusting || slider.getValueIsAdjusting()) {
                     super.mouseDragged(event);
+                    adjusting = slider.getValueIsAdjusting();
                 }
             }
         };

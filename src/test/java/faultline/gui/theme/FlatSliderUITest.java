@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.event.ComponentEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The thumb of a slider shows the focus. */
 class FlatSliderUITest {
@@ -58,19 +60,40 @@ class FlatSliderUITest {
             Theme.LIGHT.install();
             JSlider slider = new JSlider(0, 100, 50);
             slider.setSize(WIDTH, HEIGHT);
-            slider.dispatchEvent(new MouseEvent(
-                    slider, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 20, 9, 1, false, 1));
+            drag(slider, MouseEvent.MOUSE_PRESSED, 20);
             assertTrue(slider.getValueIsAdjusting());
             int value = slider.getValue();
             loseFocus(slider, new FocusEvent(slider, FocusEvent.FOCUS_LOST, true));
             assertTrue(slider.getValueIsAdjusting(), "another program has the focus, and the button is still down");
             loseFocus(slider, new FocusEvent(slider, FocusEvent.FOCUS_LOST, true, new JLabel()));
             assertFalse(slider.getValueIsAdjusting());
-            slider.dispatchEvent(new MouseEvent(
-                    slider, MouseEvent.MOUSE_DRAGGED, 0, InputEvent.BUTTON1_DOWN_MASK, 70, 9, 0, false, 1));
+            drag(slider, MouseEvent.MOUSE_DRAGGED, 70);
             assertFalse(slider.getValueIsAdjusting(), "the movement of the mouse that follows");
             assertEquals(value, slider.getValue());
         });
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {20, 50})
+    void aDragMovesTheThumbFromWhereTheButtonWasPressed(int pressed) {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            JSlider slider = new JSlider(0, 100, 50);
+            slider.setSize(WIDTH, HEIGHT);
+            slider.dispatchEvent(new ComponentEvent(slider, ComponentEvent.COMPONENT_RESIZED));
+            drag(slider, MouseEvent.MOUSE_PRESSED, pressed);
+            int value = slider.getValue();
+            drag(slider, MouseEvent.MOUSE_DRAGGED, pressed + 17);
+            assertTrue(slider.getValueIsAdjusting());
+            drag(slider, MouseEvent.MOUSE_DRAGGED, pressed + 34);
+            assertEquals(value + 40, slider.getValue(), "34 of the 85 pixels of the track");
+            drag(slider, MouseEvent.MOUSE_RELEASED, pressed + 34);
+            assertFalse(slider.getValueIsAdjusting());
+        });
+    }
+
+    private static void drag(JSlider slider, int event, int x) {
+        slider.dispatchEvent(new MouseEvent(slider, event, 0, InputEvent.BUTTON1_DOWN_MASK, x, 9, 1, false, 1));
     }
 
     private static void loseFocus(JSlider slider, FocusEvent event) {
