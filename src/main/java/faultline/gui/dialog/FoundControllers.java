@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.stream.Stream;
 
@@ -38,10 +39,12 @@ record FoundControllers(
      * such as an earlier version of itself; if it adds none, the controllers without it.
      */
     static FoundControllers of(List<Path> jars, Path added) {
-        Map<String, String> own = difference(of(List.of(added)), of(List.of()));
+        FoundControllers classPath = of(List.of());
+        Set<String> own = difference(of(List.of(added)), classPath).keySet();
         List<Path> others = jars.stream()
                 .filter(jar -> !jar.equals(added)
-                        && Collections.disjoint(of(List.of(jar)).locations.keySet(), own.keySet()))
+                        && Collections.disjoint(
+                                difference(of(List.of(jar)), classPath).keySet(), own))
                 .toList();
         FoundControllers before = of(others);
         FoundControllers after =

@@ -11,7 +11,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -23,48 +25,79 @@ class FoundControllersTest {
     @TempDir
     private Path folder;
 
-    /** Prints what is found with a jar. */
+    private Path classes;
+
+    /** Prints what is found with the jar that is the last argument, added to the other ones. */
     public static final class Finder {
 
         private Finder() {}
 
-        /** Finds the controllers of the jar that is the argument. */
+        /** Finds the controllers of jars. */
         public static void main(String[] arguments) {
-            FoundControllers found = FoundControllers.of(List.of(), Path.of(arguments[0]));
+            List<Path> jars = Stream.of(arguments).map(Path::of).toList();
+            int last = jars.size() - 1;
+            FoundControllers found = FoundControllers.of(jars.subList(0, last), jars.get(last));
             System.out.print(found.names() + " " + found.first() + " " + found.jars());
         }
     }
 
-    @Test
-    void aJarReplacesTheClassPath() throws IOException {
-        Path classes = Files.createDirectories(folder.resolve("classes"));
-        Path source = Files.writeString(
-                folder.resolve("Turner.java"),
+    @BeforeEach
+    void addToTheClassPath() throws IOException {
+        classes = Files.createDirectories(folder.resolve("classes"));
+        compile("Turner", classes);
+        Files.createDirectories(classes.resolve(SERVICE).getParent());
+        Files.writeString(classes.resolve(SERVICE), "own.Turner");
+    }
+
+    /** Compiles a provider whose controller has the name of the class. */
+    private void compile(String name, Path target) throws IOException {
+        String text =
                 """
                 package own;
-                public final class Turner implements faultline.control.ControllerProvider {
-                    @Override public String name() { return "turner"; }
+                public final class NAME implements faultline.control.ControllerProvider {
+                    @Override public String name() { return "NAME"; }
                     @Override public faultline.control.Controller create(java.util.Map<String, String> settings) {
                         return null;
                     }
                 }
-                """);
+                """;
+        Path source = Files.writeString(folder.resolve(name + ".java"), text.replace("NAME", name));
         assertEquals(
                 0,
                 ToolProvider.getSystemJavaCompiler()
-                        .run(null, null, null, "-cp", JavaProcess.classPath(), "-d", "" + classes, "" + source));
-        byte[] service = "own.Turner".getBytes(StandardCharsets.UTF_8);
-        Files.createDirectories(classes.resolve(SERVICE).getParent());
-        Files.write(classes.resolve(SERVICE), service);
-        Path jar = folder.resolve("turner.jar");
+                        .run(null, null, null, "-cp", JavaProcess.classPath(), "-d", "" + target, "" + source));
+    }
+
+    private Path jar(String name) throws IOException {
+        Path built = Files.createDirectories(folder.resolve(name));
+        compile(name, built);
+        Path jar = folder.resolve(name + ".jar");
         try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
             out.putNextEntry(new JarEntry(SERVICE));
-            out.write(service);
-            out.putNextEntry(new JarEntry("own/Turner.class"));
-            out.write(Files.readAllBytes(classes.resolve("own/Turner.class")));
+            out.write(("own." + name).getBytes(StandardCharsets.UTF_8));
+            out.putNextEntry(new JarEntry("own/" + name + ".class"));
+            out.write(Files.readAllBytes(built.resolve("own/" + name + ".class")));
         }
-        ProcessBuilder finder = JavaProcess.builder(classes, Finder.class.getName(), List.of(jar.toString()));
-        Process process = finder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
-        assertEquals("[wall-follower, none, turner] turner [" + jar + "]", JavaProcess.output(process));
+        return jar;
+    }
+
+    private String find(Path... jars) throws IOException {
+        List<String> arguments = Stream.of(jars).map(Path::toString).toList();
+        return JavaProcess.output(JavaProcess.builder(classes, Finder.class.getName(), arguments)
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start());
+    }
+
+    @Test
+    void aJarReplacesTheClassPath() throws IOException {
+        Path jar = jar("Turner");
+        assertEquals("[wall-follower, none, Turner] Turner [" + jar + "]", find(jar));
+    }
+
+    @Test
+    void otherJarsStay() throws IOException {
+        Path other = jar("Other");
+        Path jar = jar("Turner");
+        assertEquals("[wall-follower, none, Other, Turner] Turner [" + other + ", " + jar + "]", find(other, jar));
     }
 }
