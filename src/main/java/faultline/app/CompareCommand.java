@@ -181,7 +181,7 @@ final class CompareCommand {
             EndObserver end = new EndObserver();
             try {
                 RunResult result = runOnce(choice, scenario.name(), setup, options, end);
-                runs.add(new ControllerRuns.ComparedRun(result, end.path, end.metres));
+                runs.add(ControllerRuns.ComparedRun.of(result, end.path, end.metres, scenario.setup()));
                 replays.putIfAbsent(replayFile, JournalScenario.create(scenario, end.journal));
             } catch (ControllerStartException e) {
                 throw e;

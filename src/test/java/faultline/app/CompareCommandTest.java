@@ -277,6 +277,20 @@ class CompareCommandTest {
         assertTrue(html.length() < 300_000, () -> html.length() + " characters");
     }
 
+    /** The first 100 are drawn. */
+    @ParameterizedTest
+    @CsvSource({"100, 100", "101, 100"})
+    void thePicturesOfManySeedsShowTheFirstHundred(int seeds, int drawn) throws Exception {
+        String words = "--controller wall-follower --controller none --until 0.1 --seeds " + seeds;
+        CommandResult result = compare(words.split(" "));
+        assertEquals(0, result.code, result.err);
+        assertEquals(1 + 2 * seeds, table().size(), "a row for each run");
+        String html = Files.readString(page());
+        String picture = html.substring(html.indexOf("<svg"), html.indexOf("</svg>"));
+        assertEquals(2 * drawn, count("<circle [^>]* r=\"3\"", picture));
+        assertEquals(seeds > drawn, html.contains(" Only the runs with the first 100 seeds are drawn."));
+    }
+
     @Test
     void theOutputAndThePageNameTheCommandThatShowsTheGhost() throws Exception {
         CommandResult result = compare("--controller", "wall-follower", "--controller", "none", "--until", "1");

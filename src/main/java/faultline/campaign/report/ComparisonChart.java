@@ -10,6 +10,7 @@ import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.Shapes;
 import faultline.paint.surface.SvgSurface;
+import faultline.world.WorldSpec;
 import java.awt.BasicStroke;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
@@ -32,6 +33,9 @@ final class ComparisonChart {
     /** The maximum distance of a drawn path from the path of the run, pixels. */
     private static final double TOLERANCE = 0.25;
 
+    /** The number of seeds whose runs are drawn. More lines, a pixel wide, would only hide each other. */
+    static final int MAX_DRAWN = 100;
+
     private static final double START_OPACITY = 0.4;
 
     /** Half the height of the bar of an interval, in rows. */
@@ -46,11 +50,21 @@ final class ComparisonChart {
         return ReportCharts.STYLE.lineStyle(controller);
     }
 
-    /** Returns the world with the paths of all runs, their common start, and their ends. */
+    /** Returns pixels per metre. */
+    private static double scale(WorldSpec world) {
+        return Math.min((MAX_WIDTH - 2 * MARGIN) / world.width(), (MAX_HEIGHT - 2 * MARGIN) / world.height());
+    }
+
+    /** Returns the points of a path that are drawn. */
+    static List<Vector2> drawnPath(RobotPath path, WorldSpec world) {
+        return path.simplified(TOLERANCE / scale(world));
+    }
+
+    /** Returns the world with the paths of the runs that are drawn, their common start, and their ends. */
     static String paths(SimulationSetup setup, List<ControllerRuns> controllers) {
         double width = setup.world().width();
         double height = setup.world().height();
-        double scale = Math.min((MAX_WIDTH - 2 * MARGIN) / width, (MAX_HEIGHT - 2 * MARGIN) / height);
+        double scale = scale(setup.world());
         SvgSurface surface = new SvgSurface(
                 (int) Math.ceil(width * scale + 2 * MARGIN), (int) Math.ceil(height * scale + 2 * MARGIN));
         PlanView plan = new PlanView(
@@ -61,11 +75,10 @@ final class ComparisonChart {
         plan.drawWorld(setup.world());
         plan.drawRobot(setup.robot(), setup.start(), START_OPACITY);
         for (int i = 0; i < controllers.size(); i++) {
-            List<ControllerRuns.ComparedRun> runs = controllers.get(i).runs();
+            List<ControllerRuns.ComparedRun> runs = controllers.get(i).drawnRuns();
             for (int j = runs.size() - 1; j >= 0; j--) {
                 boolean isFirst = runs.get(j).result().seed() == setup.seed();
-                RobotPath path = runs.get(j).path();
-                List<Vector2> points = path.simplified(TOLERANCE / scale);
+                List<Vector2> points = runs.get(j).path();
                 plan.drawLine(points, style(i).withWidth(isFirst ? FIRST_WIDTH : OTHER_WIDTH));
                 Vector2 end = plan.toPicture(points.get(points.size() - 1));
                 drawEnd(surface, end, runs.get(j).result().collision().isPresent(), style(i));

@@ -159,8 +159,7 @@ public final class ControllerComparison {
     /** Returns what a reader needs to repeat the runs. */
     private String conditions() {
         SimulationSetup setup = scenario.setup();
-        ControllerRuns any = controllers.get(0);
-        int seeds = any.runs().size() + any.broken().size();
+        int seeds = seeds();
         String timeline = TimelineWords.of(setup.timeline());
         return "Scenario file: " + file + ". "
                 + (seeds == 1
@@ -169,6 +168,11 @@ public final class ControllerComparison {
                 + ". Duration: " + DecimalText.format(setup.duration()) + " s."
                 + (timeline.isEmpty() ? "" : " Timeline: " + timeline + ".")
                 + " Version: " + ProgramVersion.text() + ".";
+    }
+
+    private int seeds() {
+        ControllerRuns any = controllers.get(0);
+        return any.runs().size() + any.broken().size();
     }
 
     /** {@return a sentence for each group of controllers with the same completed runs, whose paths coincide} */
@@ -188,10 +192,13 @@ public final class ControllerComparison {
     }
 
     private String paths() {
+        String drawn = seeds() > ComparisonChart.MAX_DRAWN
+                ? " Only the runs with the first " + ComparisonChart.MAX_DRAWN + " seeds are drawn."
+                : "";
         return Html.section(
                 "Paths",
                 Html.paragraph("Thick: the first seed. Thin: the others. Robot: the start. Dots: the ends."
-                                + " Crosses: the ends of runs with a collision." + sentences(sameRunRemarks()))
+                                + " Crosses: the ends of runs with a collision." + drawn + sentences(sameRunRemarks()))
                         + ComparisonChart.paths(scenario.setup(), controllers)
                         + ComparisonChart.legend(controllers));
     }

@@ -1,7 +1,9 @@
 package faultline.campaign.report;
 
 import faultline.engine.RobotPath;
+import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunResult;
+import faultline.geometry.Vector2;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -33,10 +35,35 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
      * A completed run.
      *
      * @param result its seed and its results
-     * @param path the path of the robot, for pictures; it lacks points that are close to others
+     * @param path the path of the robot as it is drawn; empty if it is not drawn
      * @param metres the length of the whole path, from tick to tick
      */
-    public record ComparedRun(RunResult result, RobotPath path, double metres) {}
+    public record ComparedRun(RunResult result, List<Vector2> path, double metres) {
+
+        /**
+         * Creates a run from a copy of its path.
+         *
+         * @param result its seed and its results
+         * @param path the path of the robot as it is drawn; empty if it is not drawn
+         * @param metres the length of the whole path, from tick to tick
+         */
+        public ComparedRun {
+            path = List.copyOf(path);
+        }
+
+        /**
+         * {@return a run with as much of its path as is drawn} Its memory is small, because there may be thousands.
+         *
+         * @param result its seed and its results
+         * @param path the path of the robot
+         * @param metres the length of the whole path, from tick to tick
+         * @param first the setup of the run with the first seed
+         */
+        public static ComparedRun of(RunResult result, RobotPath path, double metres, SimulationSetup first) {
+            boolean drawn = result.seed() - first.seed() < ComparisonChart.MAX_DRAWN;
+            return new ComparedRun(result, drawn ? ComparisonChart.drawnPath(path, first.world()) : List.of(), metres);
+        }
+    }
 
     /** A run of this controller, and the run of another one with the same seed. */
     record RunPair(ComparedRun own, ComparedRun other) {}
@@ -62,6 +89,11 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
                                 .distinct()
                                 .count()
                         == 1;
+    }
+
+    /** Returns the completed runs whose paths are drawn. */
+    List<ComparedRun> drawnRuns() {
+        return runs.stream().filter(run -> !run.path().isEmpty()).toList();
     }
 
     /** Returns the completed runs that count: one of them if all are equal, otherwise all. */

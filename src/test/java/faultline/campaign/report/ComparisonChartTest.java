@@ -47,7 +47,7 @@ class ComparisonChartTest {
                 setup,
                 ControllerMode.DIRECT,
                 List.of(simulation -> path.set(simulation.frame().path())));
-        return new ControllerRuns.ComparedRun(result, path.get(), 0.3 * setup.duration());
+        return ControllerRuns.ComparedRun.of(result, path.get(), 0.3 * setup.duration(), ROOM);
     }
 
     private static List<double[]> places(Pattern pattern, String svg) {

@@ -30,7 +30,7 @@ class ControllerRunsTest {
     void aRefusalInSomeOfTheRunsIsGivenOnceWithTheirNumber() throws Exception {
         List<ControllerRuns.ComparedRun> runs =
                 List.of(removing("cat"), removing("cat", "dog", "dog"), removing("cat")).stream()
-                        .map(result -> new ControllerRuns.ComparedRun(result, null, 0))
+                        .map(result -> new ControllerRuns.ComparedRun(result, List.of(), 0))
                         .toList();
         assertEquals(
                 List.of(

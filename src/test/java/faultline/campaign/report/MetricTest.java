@@ -28,7 +28,7 @@ class MetricTest {
                 .withController(new ControllerSpec.Drive(volts, volts))
                 .withDuration(1);
         RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
-        return new ComparedRun(result, null, volts / 10);
+        return new ComparedRun(result, List.of(), volts / 10);
     }
 
     @Test
