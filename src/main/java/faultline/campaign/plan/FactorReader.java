@@ -9,6 +9,7 @@ import faultline.scenario.xml.XmlElement;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -128,9 +129,9 @@ final class FactorReader {
         ElementRules.checkChildren(node, List.of("mask"), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         String name = columnName(fields, "sensors_on");
-        List<String> sensors = fields.text("sensors")
+        Set<String> sensors = new LinkedHashSet<>(fields.text("sensors")
                 .map(text -> idList(fields, "sensors", text))
-                .orElse(standardSensors());
+                .orElse(standardSensors()));
         fields.reportUnknownAndMissing();
         List<List<String>> masks = new ArrayList<>();
         Set<Set<String>> sets = new HashSet<>();
@@ -139,11 +140,11 @@ final class FactorReader {
             if (sensors.size() > MAX_MASKED) {
                 fields.report(
                         "sensors",
-                        ValueSyntax.formatIdList(sensors),
+                        ValueSyntax.formatIdList(List.copyOf(sensors)),
                         Allowed.UNTRANSLATED.with("at most " + MAX_MASKED + " of them"));
                 return Optional.empty();
             }
-            masks.addAll(subsets(sensors));
+            masks.addAll(subsets(List.copyOf(sensors)));
         }
         Column column = new Column(name, "", "which of the masked sensors are on, with blanks between them, or none");
         Column count = new Column(name + "_count", "", "how many of the masked sensors are on");
@@ -154,7 +155,7 @@ final class FactorReader {
     }
 
     /** Reads a mask, given the sensors that may be on and the sets of earlier masks. */
-    private List<String> readMask(XmlElement node, List<String> sensors, Set<Set<String>> earlier) {
+    private List<String> readMask(XmlElement node, Set<String> sensors, Set<Set<String>> earlier) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         List<String> on = idList(
@@ -175,7 +176,8 @@ final class FactorReader {
         return on;
     }
 
-    private static Factor.Level maskLevel(List<String> on, List<String> sensors, XmlElement node) {
+    private static Factor.Level maskLevel(List<String> on, Set<String> sensors, XmlElement node) {
+        Set<String> different = Set.copyOf(on);
         List<ScenarioChange> edits = sensors.stream()
                 .<ScenarioChange>map(sensor -> new ScenarioChange.SetAttribute(
                         new AttributePath(
@@ -183,7 +185,7 @@ final class FactorReader {
                                         new AttributePath.PathStep("robot", ""),
                                         new AttributePath.PathStep("sensor", sensor)),
                                 "on"),
-                        new AttributeValue.FixedValue(String.valueOf(on.contains(sensor))),
+                        new AttributeValue.FixedValue(String.valueOf(different.contains(sensor))),
                         node.location()))
                 .toList();
         return new Factor.Level(

@@ -11,6 +11,7 @@ import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -156,6 +157,19 @@ class PlanReaderTest {
         time.assertBelow(10);
         assertEquals(50_000, plan.worldCount());
         assertEquals("room-49999-visitors-3", plan.run(49_999).world());
+    }
+
+    /** Each sensor of a mask is looked for among those that may be on. */
+    @Test
+    void aMaskOfManySensorsIsReadQuickly() {
+        List<String> ids = IntStream.range(0, 100_000).mapToObj(i -> "s" + i).collect(Collectors.toList());
+        String sensors = String.join(" ", ids);
+        Collections.reverse(ids);
+        CpuTime time = CpuTime.start();
+        List<String> problems = SamplePlan.problems(
+                "<masks sensors='" + sensors + "'><mask on='" + String.join(" ", ids) + "'/></masks>");
+        time.assertBelow(10);
+        assertTrue(problems.get(0).contains("<sensor> \"s0\" lacks x, y and bearing"), problems.get(0));
     }
 
     /** The first hundred are listed. */
