@@ -9,8 +9,11 @@ public final class DidYouMean {
 
     private static final int MAX_LENGTH = 60;
 
-    /** The maximum number of names of similar length that are compared, which limits the time to milliseconds. */
-    private static final int MAX_COMPARED = 2000;
+    /**
+     * The maximum number of pairs of letters that are compared, which limits the time to milliseconds: a few hundred
+     * names of the maximum length, or many thousand short ones.
+     */
+    private static final int MAX_COMPARED = 1_000_000;
 
     private DidYouMean() {}
 
@@ -46,7 +49,8 @@ public final class DidYouMean {
             if (Math.abs(name.length() - given.length()) >= least) {
                 continue;
             }
-            if (++compared > MAX_COMPARED || least == 0) {
+            compared += (given.length() + 1) * (name.length() + 1);
+            if (compared > MAX_COMPARED || least == 0) {
                 return best;
             }
             int changes = editDistance(lower, name.toLowerCase(Locale.ROOT));

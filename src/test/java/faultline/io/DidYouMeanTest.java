@@ -2,8 +2,10 @@ package faultline.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -56,5 +58,17 @@ class DidYouMeanTest {
     @Test
     void ofNamesThatAreEquallyNearTheFirstIsSuggested() {
         assertEquals(Optional.of("left"), DidYouMean.nearest("lefx", List.of("right", "left", "lefs")));
+    }
+
+    /** A file may have a hundred unknown ids, each of which is compared with thousands of others. */
+    @ParameterizedTest
+    @CsvSource({"60, 250, true", "60, 350, false", "6, 15000, true", "6, 25000, false"})
+    void onlyAMillionPairsOfLettersAreCompared(int length, int others, boolean reached) {
+        String given = "a".repeat(length);
+        List<String> known = new ArrayList<>(IntStream.range(0, others)
+                .mapToObj(i -> String.format("b%0" + (length - 1) + "d", i))
+                .toList());
+        known.add(given);
+        assertEquals(reached, DidYouMean.nearest(given, known).isPresent());
     }
 }
