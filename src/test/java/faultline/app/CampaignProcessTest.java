@@ -15,8 +15,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests campaigns in separate processes, which are killed while they run. */
@@ -88,11 +91,14 @@ class CampaignProcessTest {
     @Test
     void aCampaignThatIsKilledAgainAndAgainGivesTheSameTable() throws Exception {
         byte[] expected = finish("whole");
+        int halfway = 0;
         for (int part = 0; part < 5; part++) {
             Process process = startCampaign("killed");
             waitForBytes("killed", 1 + expected.length * part / 6, process);
             process.destroyForcibly().waitFor();
+            halfway += madeRuns("killed") < RUNS ? 1 : 0;
         }
+        assertTrue(halfway > 0, "no campaign was killed before its last row");
         assertArrayEquals(expected, finish("killed"));
         assertEquals(
                 RUNS + 1,
@@ -119,6 +125,29 @@ class CampaignProcessTest {
         assertTrue(process.waitFor(120, TimeUnit.SECONDS));
         assertEquals("faultline: there is not enough memory\n", Files.readString(folder.resolve("output.txt")));
         assertEquals(ExitCode.RUN_FAILED, process.exitValue());
+    }
+
+    /**
+     * A limit for the size of files represents a full disk: the table of the runs reaches it before that of the times.
+     */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "needs a shell that limits the size of files")
+    void rowsThatCannotBeWrittenAreNotWrittenTwiceAtTheEnd() throws Exception {
+        ProcessBuilder limited = builder("campaign", "plan.xml", "--out", "limited", "--jobs", "1");
+        // The data that a virtual machine gives to others are a file of 32 kB.
+        limited.command().add(1, "-XX:-UsePerfData");
+        limited.command().addAll(0, List.of("sh", "-c", "ulimit -f 20; exec \"$@\"", "sh"));
+        Process process = limited.start();
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        assertEquals(
+                "faultline: limited/runs.csv: the file cannot be written completely\n",
+                Files.readString(folder.resolve("output.txt")));
+        List<String> times = Files.readAllLines(folder.resolve("limited/timing.csv"));
+        List<String> numbers =
+                times.stream().skip(1).map(row -> row.split(",")[0]).toList();
+        assertTrue(numbers.size() > 10, numbers::toString);
+        assertEquals(
+                IntStream.range(0, numbers.size()).mapToObj(Integer::toString).toList(), numbers);
     }
 
     @Test

@@ -144,12 +144,17 @@ final class RunTable implements Closeable {
         return String.format(Locale.ROOT, "%d,%.6f,%d,%.0f\n", run.index(), run.seconds(), run.ticks(), rate);
     }
 
-    /** Writes all rows to the operating system; they then survive the end of this process. */
+    /**
+     * Writes all rows to the operating system; they then survive the end of this process. Rows that cannot be written
+     * are not tried a second time, because a part of them may be in the file.
+     */
     void flush() throws IOException {
-        timing.write(pendingTiming.toByteArray());
-        runs.write(pendingRuns.toByteArray());
+        byte[] times = pendingTiming.toByteArray();
+        byte[] rows = pendingRuns.toByteArray();
         pendingTiming.reset();
         pendingRuns.reset();
+        timing.write(times);
+        runs.write(rows);
     }
 
     /** Forces all rows to the disk; they then survive a crash of the machine. */
