@@ -174,8 +174,14 @@ class Simulator:
             raise FileNotFoundError(
                 "there is no program %r; give the command that starts the simulator, or set FAULTLINE" % command[0]
             ) from None
-        self.hello = self._receive()
-        self._robot = _Robot(self.hello)
+        try:
+            self.hello = self._receive()
+            self._robot = _Robot(self.hello)
+        except BaseException:
+            # This is another program, or an interrupt; the caller has no simulator yet that it could close.
+            self._process.kill()
+            self.close()
+            raise
         self.done = False
         self.end = None
 

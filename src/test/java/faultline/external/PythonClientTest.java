@@ -229,6 +229,30 @@ class PythonClientTest {
                 output.text());
     }
 
+    @ParameterizedTest
+    @CsvSource({"hello, JSONDecodeError", "{}, KeyError"})
+    void aProgramThatIsNoSimulatorIsEnded(String line, String error) throws Exception {
+        Output output = python(
+                "-X",
+                "dev",
+                "-c",
+                """
+                import faultline, subprocess, sys
+                class Started(subprocess.Popen):
+                    def __init__(self, *words, **options):
+                        super().__init__(*words, **options)
+                        Started.process = self
+                subprocess.Popen = Started
+                other = "import sys; print(sys.argv[1], flush=True); sys.stdin.read()"
+                try:
+                    faultline.Simulator("scenarios/office.xml", command=[sys.executable, "-c", other, sys.argv[1]])
+                except (ValueError, KeyError) as mistake:
+                    print(type(mistake).__name__, Started.process.returncode)
+                """,
+                line);
+        assertEquals(error + " -9\n", output.text());
+    }
+
     /** The answer to the step must not be taken for that to the reset. */
     @Test
     void anInterruptWhileASimulatorStepsClosesIt() throws Exception {
@@ -385,7 +409,7 @@ class PythonClientTest {
             Process process = builder.start();
             process.getOutputStream().close();
             String text = JavaProcess.output(process);
-            process.waitFor(60, TimeUnit.SECONDS);
+            assertTrue(process.waitFor(60, TimeUnit.SECONDS), text);
             return new Output(process.exitValue(), text);
         } catch (IOException notThere) {
             return new Output(-1, notThere.getMessage());
