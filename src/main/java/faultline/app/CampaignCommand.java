@@ -52,14 +52,18 @@ final class CampaignCommand {
         if (!ShutdownHooks.add(hook)) {
             cancelled.set(true);
         }
-        TerminalProgress progress = TerminalProgress.on(output.err());
         try {
-            CampaignRunner.RunCounts result = runner.run(resume, progress::update, cancelled::get);
-            progress.end();
-            return report(result, folder);
+            return report(makeRuns(runner, resume, cancelled), folder);
         } finally {
             ended.countDown();
             ShutdownHooks.remove(hook);
+        }
+    }
+
+    private CampaignRunner.RunCounts makeRuns(CampaignRunner runner, boolean resume, AtomicBoolean cancelled)
+            throws IOException {
+        try (TerminalProgress progress = TerminalProgress.on(output.err())) {
+            return runner.run(resume, progress::update, cancelled::get);
         }
     }
 

@@ -25,9 +25,10 @@ final class FiguresCommand {
         }
         Path folder = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("figures needs --out DIR, the folder that they go to"));
-        TerminalProgress progress = TerminalProgress.on(output.err());
-        Figures.writeAll(folder, parseAppearance(parsed.value("--theme").orElse("adaptive")), progress::update);
-        progress.end();
+        SvgTheme theme = parseAppearance(parsed.value("--theme").orElse("adaptive"));
+        try (TerminalProgress progress = TerminalProgress.on(output.err())) {
+            Figures.writeAll(folder, theme, progress::update);
+        }
         output.println("figures: " + folder);
         return ExitCode.SUCCESS;
     }

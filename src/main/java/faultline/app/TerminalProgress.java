@@ -7,8 +7,11 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 
-/** A bar that grows in its line, with the time left; shown only if a person can see it on a terminal. */
-final class TerminalProgress {
+/**
+ * A bar that grows in its line, with the time left; shown only if a person can see it on a terminal. Must be closed
+ * before anything else is printed.
+ */
+final class TerminalProgress implements AutoCloseable {
 
     private static final int BAR_WIDTH = 40;
     private static final long INTERVAL = 200_000_000;
@@ -64,7 +67,8 @@ final class TerminalProgress {
     }
 
     /** Ends the line. */
-    void end() {
+    @Override
+    public void close() {
         if (visible && first >= 0) {
             out.println();
         }

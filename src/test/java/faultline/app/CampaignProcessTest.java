@@ -128,16 +128,36 @@ class CampaignProcessTest {
     }
 
     /**
-     * A limit for the size of files represents a full disk: the table of the runs reaches it before that of the times.
+     * Returns a campaign on a full disk, which a limit for the size of files represents: the table of the runs reaches
+     * it before that of the times.
      */
-    @Test
-    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "needs a shell that limits the size of files")
-    void rowsThatCannotBeWrittenAreNotWrittenTwiceAtTheEnd() throws Exception {
+    private ProcessBuilder limited() throws Exception {
         ProcessBuilder limited = builder("campaign", "plan.xml", "--out", "limited", "--jobs", "1");
         // The data that a virtual machine gives to others are a file of 32 kB.
         limited.command().add(1, "-XX:-UsePerfData");
         limited.command().addAll(0, List.of("sh", "-c", "ulimit -f 20; exec \"$@\"", "sh"));
+        return limited;
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "needs a terminal of its own")
+    void anErrorStandsInALineBelowTheProgress() throws Exception {
+        ProcessBuilder limited = limited();
+        limited.command().addAll(0, List.of("python3", "-c", "import pty, sys; pty.spawn(sys.argv[1:])"));
         Process process = limited.start();
+        process.getOutputStream().close();
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        String shown = Files.readString(folder.resolve("output.txt"));
+        assertTrue(shown.startsWith("\r["), shown);
+        assertTrue(
+                shown.endsWith(" left   \r\nfaultline: limited/runs.csv: the file cannot be written completely\r\n"),
+                shown);
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "needs a shell that limits the size of files")
+    void rowsThatCannotBeWrittenAreNotWrittenTwiceAtTheEnd() throws Exception {
+        Process process = limited().start();
         assertTrue(process.waitFor(120, TimeUnit.SECONDS));
         assertEquals(
                 "faultline: limited/runs.csv: the file cannot be written completely\n",

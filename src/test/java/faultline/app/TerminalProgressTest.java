@@ -61,17 +61,17 @@ class TerminalProgressTest {
         assertEquals(bar(26, "2/3, 0:00"), shown());
         progress.update(3, 3);
         assertEquals(bar(40, "3/3, 0:00"), shown());
-        progress.end();
+        progress.close();
         out.flush();
         assertEquals(System.lineSeparator(), shown());
     }
 
     @Test
     void nothingIsShownWithoutWorkOrWithoutATerminal() {
-        new TerminalProgress(out, true, () -> now).end();
+        new TerminalProgress(out, true, () -> now).close();
         TerminalProgress invisible = new TerminalProgress(out, false, () -> now);
         invisible.update(1, 1);
-        invisible.end();
+        invisible.close();
         out.flush();
         assertEquals("", shown());
     }
