@@ -3,12 +3,8 @@ package faultline.paint.surface;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.font.FontRenderContext;
-import java.awt.font.TextAttribute;
-import java.awt.font.TextMeasurer;
-import java.text.AttributedString;
-import java.util.Map;
 
-/** Shortens texts that are too wide, as the labels of Swing do. */
+/** Shortens texts that are too wide, Latin ones as the labels of Swing do. */
 public final class ShortenedText {
 
     private static final String DOTS = "...";
@@ -26,9 +22,28 @@ public final class ShortenedText {
             return text;
         }
         double room = width - width(DOTS, font, context);
-        AttributedString styled = new AttributedString(text, Map.of(TextAttribute.FONT, font));
-        int end = room <= 0 ? 0 : new TextMeasurer(styled.getIterator(), context).getLineBreakIndex(0, (float) room);
-        return text.substring(0, end) + DOTS;
+        int fitting = 0;
+        // A longer part would be wider, because few characters are narrower than a pixel.
+        int limit = (int) Math.min(text.length(), Math.max(0, room));
+        while (fitting < limit) {
+            int middle = (fitting + limit + 1) / 2;
+            if (font.getStringBounds(text, 0, middle, context).getWidth() <= room) {
+                fitting = middle;
+            } else {
+                limit = middle - 1;
+            }
+        }
+        while (fitting > 0 && isContinued(text, fitting)) {
+            fitting--;
+        }
+        return text.substring(0, fitting) + DOTS;
+    }
+
+    /** Returns whether what is before an index and what is after it are parts of one letter. */
+    private static boolean isContinued(String text, int index) {
+        return index < text.length()
+                && (Character.isLowSurrogate(text.charAt(index))
+                        || Character.getType(text.charAt(index)) == Character.NON_SPACING_MARK);
     }
 
     /** Returns the width of a text in whole pixels, as that of font metrics, with which callers compare theirs. */
