@@ -14,6 +14,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /** {@code run}: runs a scenario without a window and prints its summary to standard output. */
 final class RunCommand {
@@ -31,7 +32,8 @@ final class RunCommand {
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, !options.controller().isScenarioDefault());
         try (RunOutputs outputs = new RunOutputs(options)) {
-            RunResult result = keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs));
+            RunResult result =
+                    keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs), output::printError);
             Optional<MessageException> unsaved = outputs.finish(scenario);
             int code = print(scenario, result, options);
             if (unsaved.isPresent()) {
@@ -56,12 +58,16 @@ final class RunCommand {
         RunResult make() throws IOException;
     }
 
-    /** Runs a scenario; if only its result cannot be computed, the outputs are completed before the failure. */
-    static RunResult keepOutputs(Scenario scenario, RunOutputs outputs, ScenarioRunner run) throws IOException {
+    /**
+     * Runs a scenario; if only its result cannot be computed, the outputs are completed before the failure.
+     * {@code errors} receives why one of them is not written.
+     */
+    static RunResult keepOutputs(Scenario scenario, RunOutputs outputs, ScenarioRunner run, Consumer<String> errors)
+            throws IOException {
         try {
             return run.make();
         } catch (HeadlessRun.ResultFailedException e) {
-            outputs.finish(scenario).ifPresent(e::addSuppressed);
+            outputs.finish(scenario).map(MessageException::getMessage).ifPresent(errors);
             throw e;
         }
     }

@@ -319,10 +319,14 @@ class OutputFilesTest {
         try (RunOutputs outputs = new RunOutputs(options)) {
             assertThrows(
                     HeadlessRun.ResultFailedException.class,
-                    () -> RunCommand.keepOutputs(scenario, outputs, () -> {
-                        HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
-                        throw new HeadlessRun.ResultFailedException(new StackOverflowError());
-                    }));
+                    () -> RunCommand.keepOutputs(
+                            scenario,
+                            outputs,
+                            () -> {
+                                HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+                                throw new HeadlessRun.ResultFailedException(new StackOverflowError());
+                            },
+                            sentence -> {}));
         }
         assertEquals(102, Files.readAllLines(trace).size());
         assertEquals(scenario.name(), Scenario.load(journal).name());
@@ -350,6 +354,32 @@ class OutputFilesTest {
     }
 
     @Test
+    void aJournalThatCannotBeSavedIsReportedIfTheResultCannotBeComputedEither() throws Exception {
+        Path journal = folder.resolve("journal.xml");
+        RunOptions options =
+                RunOptions.parse(List.of(SCENARIO.toString(), "--until", "1", "--journal", journal.toString()));
+        Scenario scenario = options.applyTo(Scenario.load(SCENARIO));
+        String text = "x".repeat((int) ScenarioLimits.MAX_BYTES);
+        Scenario large = new Scenario("large", text, false, scenario.setup(), scenario.expectation());
+        List<String> errors = new ArrayList<>();
+        try (RunOutputs outputs = new RunOutputs(options)) {
+            assertThrows(
+                    HeadlessRun.ResultFailedException.class,
+                    () -> RunCommand.keepOutputs(
+                            large,
+                            outputs,
+                            () -> {
+                                HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+                                throw new HeadlessRun.ResultFailedException(new StackOverflowError());
+                            },
+                            errors::add));
+        }
+        assertEquals(
+                List.of(journal + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB"),
+                errors);
+    }
+
+    @Test
     void aRunThatBreaksLeavesTheOldFiles() throws Exception {
         Path trace = Files.writeString(folder.resolve("trace.csv"), "old");
         RunOptions options = RunOptions.parse(List.of(SCENARIO.toString(), "--trace", trace.toString()));
@@ -357,10 +387,14 @@ class OutputFilesTest {
         try (RunOutputs outputs = new RunOutputs(options)) {
             assertThrows(
                     RunFailedException.class,
-                    () -> RunCommand.keepOutputs(scenario, outputs, () -> {
-                        HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
-                        throw new RunFailedException("no wheels", null);
-                    }));
+                    () -> RunCommand.keepOutputs(
+                            scenario,
+                            outputs,
+                            () -> {
+                                HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+                                throw new RunFailedException("no wheels", null);
+                            },
+                            sentence -> {}));
         }
         assertEquals("old", Files.readString(trace));
     }
