@@ -81,8 +81,8 @@ final class ComparisonFiles implements AutoCloseable {
     }
 
     /**
-     * Moves the written files into place. A controller whose runs all broke has no replay; one that an earlier
-     * comparison wrote for it is deleted, because it would seem to be of this one.
+     * Moves the written files into place. A controller whose runs all broke, or whose run cannot be saved, has no
+     * replay; one that an earlier comparison wrote for it is deleted, because it would seem to be of this one.
      */
     void commit() throws IOException {
         AtomicFile.commitAll(written);

@@ -25,6 +25,8 @@ class NoDescriptorsTest {
 
         /** Runs the program. */
         public static void main(String[] arguments) throws Exception {
+            // Loads the classes, which need a descriptor.
+            new ChildProcess(List.of("sh", "-c", "exit 0"), 10, line -> {}).close();
             CountDownLatch ready = new CountDownLatch(1);
             ChildProcess child = new ChildProcess(List.of("sh", "-c", STUBBORN), 10, line -> ready.countDown());
             ready.await();

@@ -48,7 +48,7 @@ public final class ValueSyntax {
     private static final Pattern BLANK = Pattern.compile("\\s");
     // Possessive quantifiers, so that the time is linear and the depth of the stack bounded.
     private static final Pattern INTERVAL = Pattern.compile("((?:(?!\\.\\.)\\S)++)\\.\\.([^\\s/]++)(?:/(\\d{1,6}+))?+");
-    private static final Pattern CHOICE = Pattern.compile("any of\\s++(\\S.*+)");
+    private static final Pattern CHOICE = Pattern.compile("any of\\s++(.++)");
     private static final String NUMBER = "-?\\d++(?:\\.\\d++)?+";
 
     /**

@@ -6,7 +6,7 @@ import java.awt.event.WindowEvent;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 
-/** Lets the key that quits the program work in a dialog, which has no menu with it. */
+/** Lets the key that quits the program work in a dialog that has no menu. */
 public final class QuitKey {
 
     private QuitKey() {}

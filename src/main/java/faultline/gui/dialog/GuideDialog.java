@@ -52,7 +52,7 @@ final class GuideDialog extends JDialog {
             BackgroundTasks.compute(
                     GuidePage::load,
                     page -> {
-                        // A page of before a later change may be loaded last.
+                        // A page that was requested before a later change may be loaded last.
                         if (number == loads) {
                             replacePage(page);
                         }

@@ -91,16 +91,19 @@ public final class RunningExports {
             action.run();
             return;
         }
-        String names = tasks.stream().map(ExportTask::name).collect(Collectors.joining(", "));
         int before = failures;
-        int answer = exitQuestion.applyAsInt(Messages.get("export.exit", names));
+        int answer = exitQuestion.applyAsInt(Messages.get("export.exit", names()));
         if (answer == 0 && !tasks.isEmpty()) {
             afterExports = action;
-            waitingNote = Messages.get("export.exit.waiting", names);
+            waitingNote = Messages.get("export.exit.waiting", names());
             notes.keep(waitingNote);
         } else if (answer == 0 && failures == before || answer == 1) {
             action.run();
         }
+    }
+
+    private String names() {
+        return tasks.stream().map(ExportTask::name).collect(Collectors.joining(", "));
     }
 
     /** Cancels the exports that are being written, because the window closes. */

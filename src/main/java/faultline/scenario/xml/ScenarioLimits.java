@@ -6,7 +6,7 @@ package faultline.scenario.xml;
  */
 public final class ScenarioLimits {
 
-    /** The size of a file in bytes. The other limits are reached at about 12 million. */
+    /** The size of a file in bytes. The other limits are reached at about 12 million, if no decisions are recorded. */
     public static final long MAX_BYTES = 16L << 20;
 
     /** The number of obstacles and of points of polygons, walls and motions, taken together. */

@@ -14,6 +14,7 @@ import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
+import java.awt.event.WindowEvent;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -74,8 +75,12 @@ class ExportProgressRobotTest {
     void anExportThatIsNearlyCompleteOpensNoDialog() {
         List<Object> ends = new ArrayList<>();
         long end = System.nanoTime() + 1_200_000_000;
-        List<Window> shown = new ArrayList<>();
-        AWTEventListener listener = event -> shown.add((Window) event.getSource());
+        List<Object> shown = new ArrayList<>();
+        AWTEventListener listener = event -> {
+            if (event.getID() == WindowEvent.WINDOW_OPENED) {
+                shown.add(event.getSource());
+            }
+        };
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.WINDOW_EVENT_MASK);
         try {
             startTask(
