@@ -71,7 +71,7 @@ final class CompareCommand {
         }
         Arguments arguments = new Arguments(split.getValue(), OPTION_NAMES, FLAG_NAMES);
         ControllerOptions options = ControllerOptions.parse(arguments, !choices.isEmpty());
-        options.jars().forEach(ControllerJars::add);
+        ControllerJars.use(options.jars());
         Path file = arguments.singleFile("compare");
         Path page = arguments
                 .fileOption("--out")

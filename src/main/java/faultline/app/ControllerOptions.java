@@ -46,10 +46,12 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
                 patience(given), given.has("--truth"), jar.stream().toList());
     }
 
-    /** Adds the controllers of {@code --jar} for a command without {@code --controller}, and returns the jar. */
+    /**
+     * Makes the controllers of {@code --jar} available to a command without {@code --controller}, and returns the jar.
+     */
     static List<Path> addJar(Arguments given) throws UsageException {
         List<Path> jars = parse(given, true).jars();
-        jars.forEach(ControllerJars::add);
+        ControllerJars.use(jars);
         return jars;
     }
 

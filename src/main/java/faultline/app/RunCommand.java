@@ -27,7 +27,7 @@ final class RunCommand {
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
         RunOptions options = RunOptions.parse(arguments);
-        options.child().jars().forEach(ControllerJars::add);
+        ControllerJars.use(options.child().jars());
         options.checkController();
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, !options.controller().isScenarioDefault());

@@ -69,7 +69,7 @@ final class WindowCommand {
         ControllerChoice ghostChosen =
                 ghost.isEmpty() ? null : ControllerOptions.choice(GHOST_OPTION, ghost.get(), jars);
         // The file may name a controller of the jar. The threads of the window begin after this.
-        jars.forEach(ControllerJars::add);
+        ControllerJars.use(jars);
         if (controller.isEmpty() && ghost.isEmpty()) {
             return run(file);
         }

@@ -9,12 +9,15 @@ public final class ControllerJars {
     private ControllerJars() {}
 
     /**
-     * Adds a jar with controllers to those that the calling thread, and threads that it starts, can find.
+     * Makes the controllers of jars available to the calling thread, and to threads that it starts, in the place of
+     * those of earlier jars. Changes nothing without a jar.
      *
-     * @param jar the jar file
+     * @param jars the jar files
      */
-    public static void add(Path jar) {
-        Thread.currentThread().setContextClassLoader(loader(List.of(jar)));
+    public static void use(List<Path> jars) {
+        if (!jars.isEmpty()) {
+            Thread.currentThread().setContextClassLoader(loader(jars));
+        }
     }
 
     private static ClassLoader loader(List<Path> jars) {
