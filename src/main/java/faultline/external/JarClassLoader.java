@@ -32,7 +32,8 @@ import java.util.zip.ZipFile;
 /**
  * Loads classes and resources from copies of jars in memory. The jars are closed when they have been read, so they can
  * be replaced while their classes are in use. A class or resource of a jar replaces the one of the class path of the
- * same name, except the classes of this program and of the JDK, which the jar shares with the program.
+ * same name, except the classes of this program and of the JDK, which the jar shares with the program. Where all
+ * resources of a name are asked for, those of the class path come first.
  */
 final class JarClassLoader extends ClassLoader {
 

@@ -51,7 +51,10 @@ final class ForcingOutputStream extends OutputStream {
         }
     }
 
-    /** Waits until the disk has what it was given, because the system reports a failure to write only once. */
+    /**
+     * Waits until the disk has what it is being given, and reports a failure, which the system does only once. Does not
+     * force what was written since.
+     */
     @Override
     public void flush() throws IOException {
         throwFailure();

@@ -56,7 +56,7 @@ public final class LineReader implements Closeable {
         return line.toString(StandardCharsets.UTF_8);
     }
 
-    /** {@return whether the last line is only a part of a line that is too long} */
+    /** {@return whether the last line is too long to be a row of a table, so that it may be only a part of a line} */
     public boolean isTooLong() {
         return length > MAX_LENGTH;
     }

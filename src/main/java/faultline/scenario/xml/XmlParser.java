@@ -72,7 +72,7 @@ final class XmlParser extends DefaultHandler {
         }
     }
 
-    /** Matches the declaration of a file's encoding. */
+    /** The place of the declaration of a file's encoding. */
     private static final SourceLocation XML_DECLARATION = new SourceLocation(1, 1);
 
     private static final Attributes2 NO_ATTRIBUTES = new Attributes2Impl();
