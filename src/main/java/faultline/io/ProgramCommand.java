@@ -2,11 +2,9 @@ package faultline.io;
 
 import java.io.File;
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.security.CodeSource;
 import java.util.function.UnaryOperator;
 
 /** The command that starts this program, for commands that are shown to users. */
@@ -27,12 +25,15 @@ public final class ProgramCommand {
      */
     public static String text() {
         String searched = System.getenv("PATH");
-        return text(System::getProperty, searched == null ? "" : searched, source());
+        return text(
+                System::getProperty,
+                searched == null ? "" : searched,
+                ProgramFile.find().orElse(Path.of("")));
     }
 
     /**
      * Returns the command, given the system properties, the folders that are searched for programs, and the jar or
-     * folder of this class.
+     * folder of this program, an empty path if it is not known.
      */
     static String text(UnaryOperator<String> properties, String searched, Path source) {
         String command = properties.apply(COMMAND);
@@ -63,18 +64,6 @@ public final class ProgramCommand {
             return Files.isSameFile(Path.of(file), other);
         } catch (IOException | InvalidPathException e) {
             return false;
-        }
-    }
-
-    /** Returns the jar or the folder of this class; an empty path if it is not known. */
-    private static Path source() {
-        CodeSource source = ProgramCommand.class.getProtectionDomain().getCodeSource();
-        try {
-            return source == null || source.getLocation() == null
-                    ? Path.of("")
-                    : Path.of(source.getLocation().toURI());
-        } catch (URISyntaxException | IllegalArgumentException e) {
-            return Path.of("");
         }
     }
 }

@@ -1,8 +1,7 @@
 package faultline.scenario;
 
+import faultline.io.ProgramFile;
 import java.io.IOException;
-import java.net.URISyntaxException;
-import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -27,14 +26,8 @@ public final class ShippedScenarios {
      * @throws IOException if the program's own file cannot be read
      */
     public static List<String> names() throws IOException {
-        URL program =
-                ShippedScenarios.class.getProtectionDomain().getCodeSource().getLocation();
-        try {
-            Path home = Path.of(program.toURI());
-            return Files.isDirectory(home) ? listFolder(home.resolve(FOLDER)) : listJar(home);
-        } catch (URISyntaxException odd) {
-            throw new IOException(program + " is no place for a program", odd);
-        }
+        Path home = ProgramFile.find().orElseThrow(() -> new IOException("the program's own file is not known"));
+        return Files.isDirectory(home) ? listFolder(home.resolve(FOLDER)) : listJar(home);
     }
 
     private static List<String> listFolder(Path folder) throws IOException {

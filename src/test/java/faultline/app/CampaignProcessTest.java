@@ -110,6 +110,18 @@ class CampaignProcessTest {
         }
     }
 
+    /** Such classes have no place, so the hash of the program is not known. */
+    @Test
+    void aProgramThatIsAppendedToTheClassesOfTheMachineMakesACampaign() throws Exception {
+        writePlan(1);
+        ProcessBuilder appended = builder("campaign", "plan.xml", "--out", "appended");
+        appended.command().add(1, "-Xbootclasspath/a:" + appended.command().get(2));
+        Process process = appended.start();
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        assertEquals(0, process.exitValue(), Files.readString(folder.resolve("output.txt")));
+        assertTrue(Files.readString(folder.resolve("appended/campaign.json")).contains("\"program_sha256\": \"\""));
+    }
+
     /** The verdict of a run at 6 km needs 1.9 million places. */
     @Test
     void aCampaignWithoutEnoughMemorySaysSo() throws Exception {

@@ -45,7 +45,8 @@ class ProgramCommandTest {
         manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
         manifest.getMainAttributes().put(Attributes.Name.MAIN_CLASS, CommandPrinter.class.getName());
         try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar), manifest)) {
-            for (Class<?> type : List.of(ProgramCommand.class, ShellText.class, CommandPrinter.class)) {
+            for (Class<?> type :
+                    List.of(ProgramCommand.class, ProgramFile.class, ShellText.class, CommandPrinter.class)) {
                 String name = type.getName().replace('.', '/') + ".class";
                 out.putNextEntry(new ZipEntry(name));
                 try (InputStream in = type.getResourceAsStream("/" + name)) {

@@ -6,10 +6,10 @@ import faultline.engine.ControllerProviders;
 import faultline.io.JsonException;
 import faultline.io.JsonParser;
 import faultline.io.JsonWriter;
+import faultline.io.ProgramFile;
 import faultline.io.ProgramVersion;
 import faultline.io.Sha256;
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -198,13 +198,9 @@ record CampaignManifest(Map<String, Object> members) {
     /** Returns the hash of the program's jar, empty if it does not run from one. */
     private static String programHash() {
         try {
-            Path program = Path.of(CampaignManifest.class
-                    .getProtectionDomain()
-                    .getCodeSource()
-                    .getLocation()
-                    .toURI());
-            return Files.isRegularFile(program) ? Sha256.hex(Files.readAllBytes(program)) : "";
-        } catch (URISyntaxException | IOException e) {
+            Optional<Path> program = ProgramFile.find().filter(Files::isRegularFile);
+            return program.isPresent() ? Sha256.hex(Files.readAllBytes(program.get())) : "";
+        } catch (IOException e) {
             return "";
         }
     }
