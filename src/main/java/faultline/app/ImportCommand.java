@@ -7,7 +7,6 @@ import faultline.floorplan.MapDescription;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
-import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.ScenarioLimits;
@@ -41,10 +40,7 @@ final class ImportCommand {
         Path target = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
         FloorPlan plan = read(map, parsed, options(parsed));
-        if (LinkResolver.findConflict(List.of(map, plan.description().image()), List.of(target))
-                .isPresent()) {
-            throw new UsageException("--out is the map itself; expected another file");
-        }
+        Arguments.requireDistinct(List.of(map, plan.description().image()), List.of(target));
         String name = map.getFileName().toString().replaceFirst("\\.[^.]*$", "");
         Optional<String> start = parsed.value("--start");
         Scenario scenario = start.isPresent()

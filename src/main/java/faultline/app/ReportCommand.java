@@ -3,7 +3,6 @@ package faultline.app;
 import faultline.campaign.report.CampaignReport;
 import faultline.campaign.run.CampaignFolder;
 import faultline.io.AtomicFileGroup;
-import faultline.io.LinkResolver;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -31,13 +30,10 @@ final class ReportCommand {
         Optional<Path> table = parsed.fileOption("--table");
         List<Path> targets = table.map(file -> List.of(target, file)).orElse(List.of(target));
         Path folder = Arguments.parsePath(parsed.files().get(0));
-        if (LinkResolver.findConflict(List.of(), targets).isPresent()) {
-            throw new UsageException("--out and --table are the same file; expected two files");
-        }
         List<Path> jars = ControllerOptions.addJar(parsed);
         Arguments.requireDistinct(jars, targets);
         CampaignReport report = new CampaignReport(folder);
-        requireOtherFiles(folder, targets);
+        Arguments.requireDistinct(new CampaignFolder(folder).files(), targets);
         try (AtomicFileGroup files = new AtomicFileGroup()) {
             files.write(target, report.html(jars).getBytes(StandardCharsets.UTF_8));
             if (table.isPresent()) {
@@ -49,12 +45,5 @@ final class ReportCommand {
         table.ifPresent(file -> output.println("table: " + file));
         output.println("runs: " + report.runCount());
         return ExitCode.SUCCESS;
-    }
-
-    private static void requireOtherFiles(Path campaign, List<Path> targets) throws UsageException, IOException {
-        if (LinkResolver.findConflict(new CampaignFolder(campaign).files(), targets)
-                .isPresent()) {
-            throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
-        }
     }
 }
