@@ -47,7 +47,7 @@ public final class AtomicFileGroup implements AutoCloseable {
     }
 
     /**
-     * Closes a file of this group without a commit. The group contains it no more.
+     * Closes a file without a commit. The group no longer contains it.
      *
      * @param file a file that {@link #create} has returned
      * @throws IOException if the temporary file cannot be deleted

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A developer runs the program with the own controller on the class path, and chooses the jar with it, too. */
+/** A developer has a controller on the class path of the program, and also chooses its jar in the window. */
 class FoundControllersTest {
 
     private static final String SERVICE = "META-INF/services/" + ControllerProvider.class.getName();
