@@ -23,7 +23,6 @@ final class ControllerColumns implements ColumnGroup {
             new TraceColumn("left_motor_faults", "", "active faults of the left motors"),
             new TraceColumn("right_motor_faults", "", "active faults of the right motors"));
 
-    private final NameCell rung = new NameCell();
     private MotorFaults faults = MotorFaults.NONE;
     private String leftText = "";
     private String rightText = "";
@@ -46,7 +45,7 @@ final class ControllerColumns implements ColumnGroup {
         rows.append(telemetry.edges().tF3());
         rows.append(telemetry.edges().tF4());
         rows.append(telemetry.edges().tP());
-        rows.append(rung.of(telemetry.diagnosis().rung()));
+        rows.append(telemetry.diagnosis().rung());
         if (simulation.motorFaults() != faults) {
             faults = simulation.motorFaults();
             leftText = FaultCell.ofMotors(faults.left());

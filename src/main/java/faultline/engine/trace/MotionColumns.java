@@ -27,8 +27,6 @@ final class MotionColumns implements ColumnGroup {
     /** Null before the first row. */
     private TickTimes times;
 
-    private final NameCell state = new NameCell();
-
     /**
      * Creates the cells of one trace.
      *
@@ -57,7 +55,7 @@ final class MotionColumns implements ColumnGroup {
         WheelSpeeds wheels = simulation.wheelSpeeds();
         rows.append(wheels.left());
         rows.append(wheels.right());
-        rows.append(state.of(simulation.telemetry().state().name()));
+        rows.append(simulation.telemetry().state().name());
         rows.append(simulation.collision().isPresent() ? "true" : "false");
     }
 

@@ -75,15 +75,14 @@ final class SensorColumns implements ColumnGroup {
     @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     private static void append(
             boolean off, List<Fault> faults, SensorHealth health, SensorWords words, TraceRows rows) {
-        boolean sameFaults = faults.equals(words.faults);
-        if (words.written && off == words.off && health == words.health && sameFaults) {
+        if (words.written && off == words.off && health == words.health && faults == words.faults) {
             rows.repeat(WORDS);
             return;
         }
-        if (!sameFaults) {
-            words.faults = faults;
-            words.faultText = FaultCell.ofSensor(words.faults);
+        if (!faults.equals(words.faults)) {
+            words.faultText = FaultCell.ofSensor(faults);
         }
+        words.faults = faults;
         if (health != words.health) {
             words.trust = health == null ? "" : health.trust().name().toLowerCase(Locale.ROOT);
             words.finding = health == null ? "" : health.finding().name().toLowerCase(Locale.ROOT);

@@ -1,8 +1,6 @@
 package faultline.engine.trace;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * A block of rows of a trace as values. Each row stores only the cells that differ from those above, because most are
@@ -16,27 +14,24 @@ final class TraceRows {
     /** Differs from every cell. */
     private static final long NO_CELL = WORD + 1;
 
-    /** The capacity in values, unless one row has more. */
+    /** A block is full when it has more changed cells than this. */
     private static final int ROOM = 1 << 14;
 
     private final int maxRows;
-    /** For each row the bits of the columns that changed, {@link #marks} of them, and after them the changed values. */
+    /** The bits or {@link #WORD}, the word if it has one, and the column of each changed cell, row by row. */
     private final long[] values;
-    /** The words among the changed values, in their order. */
-    private final List<String> words = new ArrayList<>();
+
+    private final String[] words;
+    private final int[] columns;
+    /** The end of each row's changed cells. */
+    private final int[] ends;
 
     /** The bits or {@link #WORD}, and the word, of each column in the last row; of this block or of the one before. */
     private final long[] above;
 
     private final String[] wordsAbove;
 
-    private final int marks;
     private int rows;
-    /** The index of the next marks of the row. */
-    private int place;
-    /** The changes of the columns that the next marks describe. */
-    private long changed;
-
     private int column;
     private int size;
 
@@ -49,10 +44,11 @@ final class TraceRows {
     private TraceRows(long[] above, String[] wordsAbove, int maxRows) {
         this.above = above;
         this.wordsAbove = wordsAbove;
-        this.maxRows = maxRows;
-        marks = (above.length - 1) / Long.SIZE + 1;
-        values = new long[Math.max(ROOM, marks + above.length)];
-        size = marks;
+        this.maxRows = Math.min(maxRows, ROOM);
+        values = new long[ROOM + above.length];
+        words = new String[values.length];
+        columns = new int[values.length];
+        ends = new int[this.maxRows];
     }
 
     /** Returns a new block for the next rows; this block gets no more rows. */
@@ -62,19 +58,19 @@ final class TraceRows {
 
     /** Empties a block that has been written, for the rows after the last block of the same trace. */
     void clear() {
-        words.clear();
         rows = 0;
-        place = 0;
-        size = marks;
+        size = 0;
     }
 
     /** Appends a cell with a number. */
     void append(double number) {
         long bits = Double.doubleToLongBits(number);
         if (bits != above[column]) {
-            change(bits);
+            above[column] = bits;
+            values[size] = bits;
+            columns[size++] = column;
         }
-        endCell();
+        column++;
     }
 
     /** Appends a cell with a word. */
@@ -82,73 +78,51 @@ final class TraceRows {
     void append(String word) {
         if (word != wordsAbove[column] || above[column] != WORD) {
             wordsAbove[column] = word;
-            words.add(word);
-            change(WORD);
+            above[column] = WORD;
+            values[size] = WORD;
+            words[size] = word;
+            columns[size++] = column;
         }
-        endCell();
+        column++;
     }
 
     /** Repeats the next cells of the row above, which must exist. */
     void repeat(int cells) {
-        int next = column + cells;
-        for (int mark = column / Long.SIZE; mark < next / Long.SIZE; mark++) {
-            endMarks();
-        }
-        column = next;
-    }
-
-    private void change(long value) {
-        above[column] = value;
-        values[size++] = value;
-        changed |= 1L << column;
-    }
-
-    private void endCell() {
-        column++;
-        if (column % Long.SIZE == 0) {
-            endMarks();
-        }
-    }
-
-    private void endMarks() {
-        values[place++] = changed;
-        changed = 0;
+        column += cells;
     }
 
     /** Ends a row after its last cell. */
     void endRow() {
-        if (column % Long.SIZE != 0) {
-            endMarks();
-        }
-        rows++;
-        place = size;
-        size += marks;
+        ends[rows++] = size;
         column = 0;
     }
 
     /** Returns whether there may be no room for another row. */
     boolean isFull() {
-        return rows == maxRows || size + above.length > values.length;
+        return rows == maxRows || size > ROOM;
     }
 
     int rows() {
         return rows;
     }
 
-    /** Returns how many values of marks a row begins with: one bit for each column. */
-    int marks() {
-        return marks;
+    /** Returns the end of a row's changed cells, which begin where those of the row before end. */
+    int end(int row) {
+        return ends[row];
     }
 
-    /**
-     * Returns one of the values: the marks of the first row, its changed cells, the marks of the next row, and so on.
-     */
-    long value(int place) {
-        return values[place];
+    /** Returns one of the changed cells. */
+    long value(int change) {
+        return values[change];
     }
 
-    /** Returns one of the words among the changed cells. */
-    String word(int place) {
-        return words.get(place);
+    /** Returns the column of one of the changed cells. */
+    int column(int change) {
+        return columns[change];
+    }
+
+    /** Returns the word of one of the changed cells. */
+    String word(int change) {
+        return words[change];
     }
 }

@@ -1,5 +1,6 @@
 package faultline.engine.trace;
 
+import faultline.io.MessageText;
 import faultline.io.ShortestDecimal;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -14,14 +15,16 @@ final class TraceText {
 
     private static final int MIN_SIZE = 1 << 12;
 
-    /** No run has as many ticks as an integer of this length. */
-    private static final int MAX_INTEGER_LENGTH = 18;
+    /** The most bytes that a cell with a number may use, also of an integer, with the comma after it. */
+    private static final int NUMBER_ROOM = ShortestDecimal.ROOM + 1;
 
     /** The text is written when it is longer than this. */
     private static final int FLUSH_LENGTH = 1 << 16;
 
     private byte[] text = new byte[MIN_SIZE];
     private int length;
+    /** The bytes that a row may need beside its new words. */
+    private int rowRoom;
     /** The end of the written text. */
     private int written;
 
@@ -31,10 +34,8 @@ final class TraceText {
      */
     private final int[] starts;
 
-    /** The next value and the next word of the block. */
+    /** The next changed cell of the block. */
     private int place;
-
-    private int word;
 
     TraceText(int columns) {
         starts = new int[columns + 1];
@@ -52,27 +53,23 @@ final class TraceText {
      */
     void write(TraceRows rows, OutputStream out) throws IOException {
         place = 0;
-        word = 0;
         for (int row = 0; row < rows.rows(); row++) {
-            append(rows);
+            append(rows, rows.end(row));
             if (length > FLUSH_LENGTH || row + 1 == rows.rows()) {
                 write(out);
             }
         }
     }
 
-    /** Appends the next row of a block. */
-    private void append(TraceRows rows) {
-        int marks = place;
-        place += rows.marks();
+    /** Appends the next row of a block, up to the end of its changed cells. */
+    private void append(TraceRows rows, int end) {
+        reserveRow();
         int unwritten = 0;
-        for (int i = 0; i < rows.marks(); i++) {
-            for (long changed = rows.value(marks + i); changed != 0; changed &= changed - 1) {
-                int column = i * Long.SIZE + Long.numberOfTrailingZeros(changed);
-                repeatAbove(unwritten, column);
-                appendCell(rows, column, column == unwritten);
-                unwritten = column + 1;
-            }
+        for (; place < end; place++) {
+            int column = rows.column(place);
+            repeatAbove(unwritten, column);
+            appendCell(rows, column, column == unwritten);
+            unwritten = column + 1;
         }
         repeatAbove(unwritten, starts.length - 1);
         starts[starts.length - 1] = length;
@@ -93,17 +90,16 @@ final class TraceText {
 
     /** Appends the next changed cell of a block. */
     private void appendCell(TraceRows rows, int column, boolean leftChanged) {
-        long value = rows.value(place++);
+        long value = rows.value(place);
         int start = length;
         if (value == TraceRows.WORD) {
-            appendCell(rows.word(word++));
+            appendCell(MessageText.csvCell(rows.word(place)));
         } else if (column == 0) {
             append((long) Double.longBitsToDouble(value));
-        } else if (leftChanged && column > 1 && value == rows.value(place - 2)) {
+        } else if (leftChanged && column > 1 && value == rows.value(place - 1)) {
             repeat(starts[column - 1], length);
         } else {
             double number = Double.longBitsToDouble(value);
-            reserve(ShortestDecimal.ROOM + 1);
             length = Double.isFinite(number) ? ShortestDecimal.write(number, text, length) : length;
             text[length++] = ',';
         }
@@ -112,7 +108,7 @@ final class TraceText {
 
     private void appendCell(String word) {
         byte[] bytes = word.getBytes(StandardCharsets.UTF_8);
-        reserve(bytes.length + 1);
+        reserve(bytes.length + 1 + rowRoom);
         System.arraycopy(bytes, 0, text, length, bytes.length);
         length += bytes.length;
         text[length++] = ',';
@@ -120,7 +116,6 @@ final class TraceText {
 
     /** Appends a cell with an integer that is not negative. */
     private void append(long integer) {
-        reserve(MAX_INTEGER_LENGTH + 1);
         int end = length + 1;
         for (long power = 10; power <= integer; power *= 10) {
             end++;
@@ -137,7 +132,6 @@ final class TraceText {
     /** Appends a part of this text. */
     private void repeat(int start, int end) {
         int count = end - start;
-        reserve(count);
         System.arraycopy(text, start, text, length, count);
         length += count;
     }
@@ -145,6 +139,12 @@ final class TraceText {
     /** Ends a row after its last cell. */
     private void endRow() {
         text[length - 1] = '\n';
+    }
+
+    /** Makes room for a row with any numbers and the words of the row above; new words make room for themselves. */
+    private void reserveRow() {
+        rowRoom = length - starts[0] + (starts.length - 1) * NUMBER_ROOM;
+        reserve(rowRoom);
     }
 
     private void reserve(int more) {
