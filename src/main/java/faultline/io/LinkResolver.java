@@ -38,10 +38,15 @@ public final class LinkResolver {
             return Optional.empty();
         }
         Set<Object> seen = new HashSet<>();
-        inputs.forEach(input -> seen.add(identity(input)));
-        return outputs.stream()
-                .filter(output -> !seen.add(identity(output)) && !isDevice(output))
-                .findFirst();
+        for (Path input : inputs) {
+            seen.add(identity(input));
+        }
+        for (Path output : outputs) {
+            if (!seen.add(identity(output)) && !isDevice(output)) {
+                return Optional.of(output);
+            }
+        }
+        return Optional.empty();
     }
 
     /** Returns an object that is equal for two paths if they name the same file. */
@@ -101,11 +106,17 @@ public final class LinkResolver {
      * has inherited, such as {@code /dev/stdout}.
      */
     static boolean isStream(Path file) throws IOException {
-        return isDevice(file)
-                || Files.isRegularFile(file)
-                        && followLinks(file).stream()
-                                .map(Path::normalize)
-                                .anyMatch(link -> link.startsWith("/proc") || link.startsWith("/dev/fd"));
+        return isDevice(file) || Files.isRegularFile(file) && isInherited(file);
+    }
+
+    private static boolean isInherited(Path file) throws IOException {
+        for (Path link : followLinks(file)) {
+            Path path = link.normalize();
+            if (path.startsWith("/proc") || path.startsWith("/dev/fd")) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Opens a stream; see {@link #isStream}. Its present content remains. */

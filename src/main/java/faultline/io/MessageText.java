@@ -106,8 +106,18 @@ public final class MessageText {
      */
     public static String csvCell(String text) {
         String cell = cell(text);
-        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c < ' ');
-        return plain ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
+        return isPlain(cell) ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
+    }
+
+    /** Returns whether a cell needs no quotes. */
+    private static boolean isPlain(String cell) {
+        for (int i = 0; i < cell.length(); i++) {
+            char c = cell.charAt(i);
+            if (c == ',' || c == '"' || c < ' ') {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**

@@ -4,6 +4,7 @@ import faultline.engine.Simulation;
 import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -15,11 +16,11 @@ final class ReadingColumns implements ColumnGroup {
 
     ReadingColumns(RobotSpec robot) {
         sensors = robot.sensors().size();
-        robot.sensors().forEach(sensor -> {
+        for (SensorSpec sensor : robot.sensors()) {
             String id = MessageText.cell(sensor.id());
             columns.add(new TraceColumn(id + ".true", "", ""));
             columns.add(new TraceColumn(id + ".reading", "", ""));
-        });
+        }
     }
 
     @Override

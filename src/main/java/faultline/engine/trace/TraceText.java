@@ -43,7 +43,9 @@ final class TraceText {
 
     /** Appends a row of words. */
     void append(Iterable<String> row) {
-        row.forEach(this::appendCell);
+        for (String cell : row) {
+            appendCell(cell);
+        }
         endRow();
     }
 

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -88,10 +89,12 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
 
     private void begin(Simulation simulation) {
         groups = format.groups(simulation.robot());
-        List<String> header = groups.stream()
-                .flatMap(group -> group.columns().stream())
-                .map(TraceColumn::name)
-                .toList();
+        List<String> header = new ArrayList<>();
+        for (ColumnGroup group : groups) {
+            for (TraceColumn column : group.columns()) {
+                header.add(column.name());
+            }
+        }
         text = new TraceText(header.size());
         text.append(header);
         rows = new TraceRows(header.size(), maxRows);
