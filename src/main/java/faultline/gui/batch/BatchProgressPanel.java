@@ -29,7 +29,7 @@ final class BatchProgressPanel extends JPanel {
         UiText.name(bar, "batch.progress");
         add(bar, BorderLayout.CENTER);
         JPanel texts = new JPanel(new BorderLayout(12, 0));
-        texts.add(RefreshSteps.add(status, label -> label.setText(statusText.get())), BorderLayout.CENTER);
+        texts.add(RefreshSteps.add(status, label -> showStatus()), BorderLayout.CENTER);
         texts.add(RefreshSteps.add(controllers, label -> showControllers(types)), BorderLayout.LINE_END);
         add(texts, BorderLayout.SOUTH);
     }
@@ -49,7 +49,14 @@ final class BatchProgressPanel extends JPanel {
     /** Shows a sentence, given what returns it in the current language. */
     void showStatus(Supplier<String> text) {
         statusText = text;
-        status.setText(text.get());
+        showStatus();
+    }
+
+    /** Shows the sentence, which a narrow window may cut, in a tip, too. */
+    private void showStatus() {
+        String text = statusText.get();
+        status.setText(text);
+        status.setToolTipText(text.isBlank() ? null : text);
     }
 
     /** Shows that work of unknown length has begun. */

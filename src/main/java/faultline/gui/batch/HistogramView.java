@@ -79,8 +79,11 @@ final class HistogramView extends JPanel {
         JPanel heading = new JPanel(new FlowLayout(FlowLayout.LEADING, 8, 0));
         heading.add(FormConstraints.label("batch.quantity", choice));
         heading.add(choice);
-        heading.add(summary);
-        add(heading, BorderLayout.NORTH);
+        summary.setBorder(BorderFactory.createEmptyBorder(4, 8, 0, 8));
+        JPanel texts = new JPanel(new BorderLayout());
+        texts.add(heading, BorderLayout.NORTH);
+        texts.add(summary, BorderLayout.SOUTH);
+        add(texts, BorderLayout.NORTH);
         add(canvas, BorderLayout.CENTER);
     }
 

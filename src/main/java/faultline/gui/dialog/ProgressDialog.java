@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import faultline.gui.action.QuitKey;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.theme.DialogButtons;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -13,6 +14,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
@@ -35,9 +37,19 @@ public final class ProgressDialog extends JDialog {
 
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
 
-    /** Creates a dialog that is not yet visible, given what its sentence says and what cancels the task. */
-    public ProgressDialog(Window owner, String title, ModalityType modality, String sentence, Runnable cancel) {
-        super(owner, title, modality);
+    /**
+     * Creates a dialog that is not yet visible.
+     *
+     * @param owner the window that it belongs to
+     * @param title returns its title in the current language
+     * @param modality which windows it blocks
+     * @param sentence returns what it says, in the current language
+     * @param cancel cancels the task
+     */
+    public ProgressDialog(
+            Window owner, Supplier<String> title, ModalityType modality, Supplier<String> sentence, Runnable cancel) {
+        super(owner, modality);
+        RefreshSteps.add(getRootPane(), root -> setTitle(title.get()));
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
             @Override
@@ -45,10 +57,10 @@ public final class ProgressDialog extends JDialog {
                 cancel.run();
             }
         });
-        progressBar.getAccessibleContext().setAccessibleName(sentence);
+        RefreshSteps.add(progressBar, bar -> bar.getAccessibleContext().setAccessibleName(sentence.get()));
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
-        content.add(new JLabel(sentence), BorderLayout.NORTH);
+        content.add(RefreshSteps.add(new JLabel(), label -> label.setText(sentence.get())), BorderLayout.NORTH);
         content.add(progressBar, BorderLayout.CENTER);
         content.add(DialogButtons.createSingleButton(this, "wait.cancel", cancel), BorderLayout.SOUTH);
         setContentPane(content);

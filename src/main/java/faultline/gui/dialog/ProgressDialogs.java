@@ -51,9 +51,12 @@ public final class ProgressDialogs {
     }
 
     private ProgressDialog createDialog(WorkspaceTask task) {
-        String sentence = Messages.get("wait." + task.kind(), FileNames.lastOf(task.name()));
         ProgressDialog created = new ProgressDialog(
-                owner, Messages.get("wait.title"), Dialog.ModalityType.APPLICATION_MODAL, sentence, cancelHandler);
+                owner,
+                () -> Messages.get("wait.title"),
+                Dialog.ModalityType.APPLICATION_MODAL,
+                () -> Messages.get("wait." + task.kind(), FileNames.lastOf(task.name())),
+                cancelHandler);
         created.setProgress(task.progress());
         return created;
     }

@@ -103,9 +103,9 @@ final class ExportTask {
     private void openDialog() {
         dialog = new ProgressDialog(
                 JOptionPane.getFrameForComponent(parent),
-                Messages.get("export.title"),
+                () -> Messages.get("export.title"),
                 Dialog.ModalityType.MODELESS,
-                Messages.get("export.writing", name()),
+                () -> Messages.get("export.writing", name()),
                 this::cancel);
         dialog.setVisible(true);
     }

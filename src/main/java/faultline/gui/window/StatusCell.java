@@ -23,7 +23,10 @@ final class StatusCell extends JLabel {
     }
 
     private void fit(Stream<String> texts) {
-        setTextWidth(texts.mapToInt(this::textWidth).max().orElse(0));
+        setTextWidth(Stream.concat(texts, Stream.of(getText()))
+                .mapToInt(this::textWidth)
+                .max()
+                .orElse(0));
     }
 
     private int textWidth(String text) {

@@ -357,9 +357,9 @@ class BatchRunTest {
         assertEquals(5, withoutContact.n());
         assertEquals(Interval.wilson(1, 1), withoutContact.interval());
         assertEquals(
-                "5 runs in 2 s, 0 failed. Runs that repeat another one, except for the seed: 4",
+                "Runs: 5 in 2 s, failed: 0. Runs that repeat another one, except for the seed: 4",
                 BatchProgressPanel.endText(counts, 2, run.repeatCount()));
-        assertEquals("5 runs in 2 s, 0 failed", BatchProgressPanel.endText(counts, 2, 0));
+        assertEquals("Runs: 5 in 2 s, failed: 0", BatchProgressPanel.endText(counts, 2, 0));
     }
 
     @Test

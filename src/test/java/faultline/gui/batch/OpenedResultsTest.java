@@ -87,7 +87,7 @@ class OpenedResultsTest {
         assertEquals(run.cells(), opened.cells());
         assertEquals(run.repeatCount(), opened.repeats());
         assertEquals("Batch of Yard", opened.name());
-        assertEquals("6 runs, 0 failed. Runs that repeat another one, except for the seed: 3", opened.status());
+        assertEquals("Runs: 6, failed: 0. Runs that repeat another one, except for the seed: 3", opened.status());
     }
 
     @Test
@@ -106,7 +106,7 @@ class OpenedResultsTest {
         new CampaignRunner(run.planOrNull(), new CampaignFolder(part), new Shard(2, 2), 1)
                 .run(false, (made, runs) -> {}, () -> false);
         OpenedResults opened = OpenedResults.read(part);
-        assertEquals("3 of 6 runs, 0 failed", opened.status());
+        assertEquals("Runs: 3 of 6, failed: 0", opened.status());
         BatchResults results = opened.toResults();
         assertEquals(3, results.run(0));
         assertEquals(3, results.numbers("simulated_s", results.runs()).length);
@@ -136,7 +136,7 @@ class OpenedResultsTest {
     void anUnfinishedRowIsLeftOut() throws Exception {
         String table = Files.readString(saved.resolve("runs.csv"));
         Files.writeString(saved.resolve("runs.csv"), table.substring(0, table.length() - 60));
-        assertEquals("5 of 6 runs, 0 failed. Runs that repeat another one, except for the seed: 2", status());
+        assertEquals("Runs: 5 of 6, failed: 0. Runs that repeat another one, except for the seed: 2", status());
     }
 
     private String status() throws Exception {

@@ -280,7 +280,7 @@ class BatchEndRobotTest {
         driver.enterFile(title, results);
         // The folder is there shortly before the dialog learns of it.
         driver.robot().waitFor("the results are saved", () -> ComponentFinder.findAll(dialog, JLabel.class)
-                .anyMatch(label -> label.getText().matches("180 runs in .*, 0 failed.*\\. Saved as results")));
+                .anyMatch(label -> label.getText().matches("Runs: 180 in .*, failed: 0.*\\. Saved as results")));
         assertEquals(181, Files.readAllLines(results.resolve("runs.csv")).size());
         try (Stream<Path> files = Files.list(folder)) {
             assertEquals(

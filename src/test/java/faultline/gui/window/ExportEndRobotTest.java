@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,7 +17,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -68,6 +71,28 @@ class ExportEndRobotTest {
         try (Stream<Path> left = Files.list(folder)) {
             assertEquals(List.of(), left.toList());
         }
+    }
+
+    @Test
+    void theProgressOfAFilmIsInTheChosenLanguage() {
+        driver.runFast(frame -> frame.snapshot().tick() >= TICKS);
+        driver.chooseLater("exportGif");
+        driver.enterFile("Export animation", folder.resolve("film.gif"));
+        JDialog progress = driver.dialog("Export");
+        driver.choose("languagePolish");
+        try {
+            driver.robot()
+                    .waitFor(
+                            "the title and the sentence are Polish",
+                            () -> progress.getTitle().equals("Eksport")
+                                    && ComponentFinder.findAll(progress, JLabel.class)
+                                            .anyMatch(label -> label.getText().startsWith("Zapisywanie")));
+        } finally {
+            driver.choose("languageEnglish");
+        }
+        assertEquals("Export", callOnEdt(progress::getTitle));
+        runOnEdt(() -> ComponentFinder.find(progress, JButton.class, "Cancel").doClick());
+        driver.robot().waitFor("the film is given up", () -> !progress.isShowing());
     }
 
     /** Waits for the question whether to wait for the film, and answers it with keys. */

@@ -102,7 +102,7 @@ class OpenResultsRobotTest {
     void aRunOfOpenedResultsOpensAndTheResultsComeBack() throws Exception {
         JDialog dialog = openResults();
         String text = WindowDriver.text(dialog);
-        assertTrue(text.contains("9 runs, 0 failed") && text.contains("Controller: wall follower"), text);
+        assertTrue(text.contains("Runs: 9, failed: 0") && text.contains("Controller: wall follower"), text);
         JTable runs = selectRun(dialog);
         String run = callOnEdt(() -> String.valueOf(runs.getValueAt(0, 0)));
         String hash = callOnEdt(

@@ -20,6 +20,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.paint.surface.Camera;
 import faultline.world.Refusal;
 import faultline.world.Snapshot;
@@ -269,6 +270,18 @@ class StatusBarTest {
         runOnEdt(() -> {
             StatusCell cell = new StatusCell("status.time", () -> Stream.of("t 0.000 s"));
             cell.setStatusText("t 1576110.610 s");
+            int text = cell.getFontMetrics(cell.getFont()).stringWidth(cell.getText());
+            assertTrue(cell.getPreferredSize().width >= text, "clips its text");
+        });
+    }
+
+    @Test
+    void aCellStillShowsItsTextAfterANewTextSize() {
+        runOnEdt(() -> {
+            StatusCell cell = new StatusCell("status.state", () -> Stream.of("Follow"));
+            cell.setStatusText("Stopped at a wall that nobody expected");
+            cell.setFont(cell.getFont().deriveFont(30f));
+            RefreshSteps.run(cell);
             int text = cell.getFontMetrics(cell.getFont()).stringWidth(cell.getText());
             assertTrue(cell.getPreferredSize().width >= text, "clips its text");
         });
