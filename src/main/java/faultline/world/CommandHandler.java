@@ -197,7 +197,8 @@ final class CommandHandler {
     private CommandResult moveObstacle(Command.MoveObstacle command) {
         return withObstacle(command, command.obstacle(), placed -> {
             Obstacle old = placed.obstacle();
-            if (ObstacleSet.isClear(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
+            // An obstacle that touches the robot may come back to where it was.
+            if (!ObstacleSet.isOverlapping(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
                 obstacles.move(placed, command.pose());
             } else if (!motionStep.slideUntilContact(placed, command.pose())) {
                 return refused(command, Reason.OVERLAPS_ROBOT, old.id());

@@ -15,7 +15,8 @@ public sealed interface CommandResult {
     /**
      * {@return the commands, in order, that restore what the command has changed; empty for a refused command} A
      * collision that it has caused is not undone. An obstacle that was removed comes back where it was, as if it were
-     * placed for the first time: above the others, and if it moves, toward its first waypoint.
+     * placed for the first time: above the others, and if it moves, toward its first waypoint. A moving obstacle whose
+     * waypoints were changed moves toward its first one, too.
      */
     List<Command> inverse();
 

@@ -20,7 +20,10 @@ import faultline.robot.Velocity;
  */
 final class TimeOfImpact {
 
-    /** The gap that counts as contact, metres: far above rounding errors and far below the tolerance of 1e-9. */
+    /**
+     * The gap that counts as contact, metres: far below the tolerance of 1e-9, and far above the rounding errors of
+     * coordinates up to 1 km. From 10 km on, the errors are a share of this, and a contact may be found a tick late.
+     */
     static final double TOUCH_DISTANCE = 1e-10;
 
     private static final int MAX_STEPS = 100_000;

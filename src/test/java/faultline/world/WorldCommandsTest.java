@@ -132,6 +132,23 @@ class WorldCommandsTest {
     }
 
     @Test
+    void anObstacleThatTouchesTheRobotComesBackWhenItsMoveIsUndone() {
+        for (double heading : List.of(0.0, 0.1, 0.7, 1.3, StrictMath.PI / 4)) {
+            world.execute(new Command.PlaceObstacle(
+                    new Obstacle("box", new ObstacleShape.RectangleShape(0.3, 0.2), new Pose(1, 1, heading))));
+            assertEquals(SUCCESS, refusal(new Command.MoveObstacle("box", new Pose(2, 2, heading))));
+            Obstacle touching = world.snapshot().obstacles().get(1);
+            for (Pose away : List.of(new Pose(3, 2, heading), new Pose(2, 1, heading + 1), new Pose(1, 1, heading))) {
+                CommandResult.Executed move =
+                        (CommandResult.Executed) world.execute(new Command.MoveObstacle("box", away));
+                move.inverse().forEach(command -> assertEquals(SUCCESS, refusal(command)));
+                assertEquals(touching, world.snapshot().obstacles().get(1));
+            }
+            world.execute(new Command.RemoveObstacle("box"));
+        }
+    }
+
+    @Test
     void anObstacleIsNotPutIntoTheRobot() {
         Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(0.25, 0.2), new Pose(2.25 - 1e-8, 2, 0));
         assertEquals(

@@ -21,7 +21,8 @@ import java.util.stream.DoubleStream;
  * Judges from ground truth whether a robot carries on after a fault: no contact, and within the time of two laps the
  * robot passes at least 0.80 of its wall within 0.15 m of the wanted path. The time of a lap is its length divided by
  * the robot's speed, plus 10 s for its corners. The clock starts at the last fault of the timeline, or at 0 without
- * one; if the robot has not met a wall by then, it starts when it does. A contact counts from the beginning of the run.
+ * one; if the robot has not met a wall by then, it starts when it does, unless the time of two laps of the longest wall
+ * is up: then it does not carry on. A contact counts from the beginning of the run.
  */
 public final class CarryOnMetrics implements TickObserver {
 
@@ -169,7 +170,7 @@ public final class CarryOnMetrics implements TickObserver {
             if (centre.distanceTo(last) >= MIN_STEP) {
                 new Segment(last, centre).forEachPoint(MAX_STEP, this::visit);
             }
-        } else if (state != FollowerState.SEARCH) {
+        } else if (state != FollowerState.SEARCH && time <= deadline) {
             startClock(centre);
         }
     }

@@ -43,7 +43,7 @@ public final class HeadlessRun {
      * @param setup the setup
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
-     * @param finished called after every tick; true ends the run
+     * @param finished called before every tick; true ends the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(

@@ -31,7 +31,7 @@ public final class DiagnosisRecorder implements TickObserver {
     @Override
     public void observe(Simulation simulation) {
         Telemetry.Diagnosis now = simulation.telemetry().diagnosis();
-        if (now.health() != health) {
+        if (!now.health().isEmpty() && now.health() != health) {
             for (int i = 0; i < now.health().size(); i++) {
                 compare(i, now.health().get(i), simulation);
             }

@@ -34,12 +34,12 @@ public record Trace(List<TraceLevel> levels) {
     }
 
     /**
-     * {@return the finest level that still contains a tick and divides a range of ticks into at most a number of
-     * buckets; the coarsest level if none does}
+     * {@return the finest level that still contains a tick and whose buckets in a range of ticks are at most a number;
+     * the coarsest level if none is} The range may also cut a bucket at each end.
      *
      * @param from the first tick
      * @param to the tick after the last
-     * @param most the greatest number of buckets
+     * @param most the greatest number of whole buckets
      */
     public TraceLevel levelFor(long from, long to, int most) {
         return levels.stream()

@@ -16,9 +16,10 @@ import java.util.function.Supplier;
 
 /**
  * An interactive run. A session has a simulation thread and a controller thread; its public methods may be called from
- * any thread and never block. The simulation thread runs submitted tasks between ticks, makes ticks at the requested
- * speed, and publishes frames and the status. A session starts paused. A restart is a new session with the same setup;
- * a step back is a new session that replays the journal of the old one.
+ * any thread. Those of a session do not block, except {@link #awaitEnd}; those that start one run its first ticks. The
+ * simulation thread runs submitted tasks between ticks, makes ticks at the requested speed, and publishes frames and
+ * the status. A session starts paused. A restart is a new session with the same setup; a step back is a new session
+ * that replays the journal of the old one.
  */
 public final class Session implements SessionView, AutoCloseable {
 
@@ -45,6 +46,7 @@ public final class Session implements SessionView, AutoCloseable {
      *
      * @param setup the setup of the run
      * @return the session, which the caller closes
+     * @throws RunFailedException if the controller cannot be started, threw an exception or did not answer
      */
     public static Session start(SimulationSetup setup) {
         return start(new Journal(setup, List.of(), 0), 0, run -> {}, tick -> true);

@@ -21,9 +21,10 @@ final class SensorColumns implements ColumnGroup {
 
     /** The words of one sensor in the row above, and the values from which they were made. */
     private static final class SensorWords {
-        private boolean written;
         private boolean off;
-        private List<Fault> faults = List.of();
+        /** Null before the first row. */
+        private List<Fault> faults;
+
         private String faultText = "";
         /** Null if it is unknown, as without a diagnosis. */
         private SensorHealth health;
@@ -75,7 +76,7 @@ final class SensorColumns implements ColumnGroup {
     @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     private static void append(
             boolean off, List<Fault> faults, SensorHealth health, SensorWords words, TraceRows rows) {
-        if (words.written && off == words.off && health == words.health && faults == words.faults) {
+        if (off == words.off && health == words.health && faults == words.faults) {
             rows.repeat(WORDS);
             return;
         }
@@ -89,7 +90,6 @@ final class SensorColumns implements ColumnGroup {
         }
         words.off = off;
         words.health = health;
-        words.written = true;
         rows.append(off ? "0" : "1");
         rows.append(words.faultText);
         rows.append(words.trust);

@@ -60,7 +60,7 @@ public final class TraceWriter implements TickObserver, AutoCloseable {
      *
      * @param out the target of the rows, written in blocks on another thread
      * @param format the format, which defines the columns
-     * @param maxRows the maximum number of rows that are written at a time
+     * @param maxRows the maximum number of rows that are written at a time, at least 1
      */
     public TraceWriter(OutputStream out, TraceFormat format, int maxRows) {
         this.out = out;

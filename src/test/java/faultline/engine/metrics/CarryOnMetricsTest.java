@@ -101,6 +101,16 @@ class CarryOnMetricsTest {
     }
 
     @Test
+    void aVerdictIsNotChangedByAWallThatIsMetTooLate() {
+        metrics.update(75.01, new Vector2(0, 2), FollowerState.SEARCH, false);
+        metrics.update(80, Vector2.ZERO, FollowerState.FOLLOW, false);
+        drive(80, 0, 12);
+        assertTrue(metrics.isDecided());
+        assertFalse(metrics.carriedOn());
+        assertEquals(OptionalDouble.empty(), metrics.clockStart());
+    }
+
+    @Test
     void whatAFastRobotPassesBetweenTwoTicksCounts() {
         metrics.update(ONSET, Vector2.ZERO, FollowerState.FOLLOW, false);
         metrics.update(ONSET + 1, new Vector2(ENOUGH, 0), FollowerState.FOLLOW, false);

@@ -209,6 +209,30 @@ class TraceWriterTest {
         assertTrue(plain.stream().anyMatch(row -> row.contains(",stuck=0.3 off,")));
     }
 
+    @Test
+    void aSensorThatIsSwitchedOffAndOnWithoutADiagnosisIsInItsColumn(@TempDir Path folder) throws Exception {
+        Scenario scenario = Scenario.load(
+                Files.writeString(
+                        folder.resolve("switched.xml"),
+                        """
+                <scenario xmlns='urn:faultline:scenario:1' duration='0.4'><world width='5' height='4'/>
+                  <robot x='2' y='2'/><controller type='wall-follower' diagnosis='off'/>
+                  <timeline><switch at='0.1' sensor='right' on='false'/><switch at='0.2' sensor='right' on='true'/>
+                  </timeline></scenario>"""));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try (TraceWriter trace = new TraceWriter(out, TraceFormat.TWO)) {
+            HeadlessRun.run(scenario.setup(), ControllerMode.DIRECT, List.of(trace));
+            trace.flush();
+        }
+        int column = columns(TraceFormat.TWO, scenario.setup()).indexOf("right.answers");
+        assertEquals(
+                "1".repeat(10) + "0".repeat(10) + "1".repeat(21),
+                rows(out).stream()
+                        .skip(1)
+                        .map(row -> row.split(",", -1)[column])
+                        .collect(Collectors.joining()));
+    }
+
     private static void assertRows(List<String> expected, List<String> actual) {
         for (int row = 0; row < Math.min(expected.size(), actual.size()); row++) {
             assertEquals(expected.get(row), actual.get(row));
