@@ -3,6 +3,7 @@ package faultline.app;
 import faultline.engine.RunFailedException;
 import faultline.external.ControllerStartException;
 import faultline.io.DidYouMean;
+import faultline.io.MessageException;
 import faultline.io.MessageText;
 import faultline.io.ProgramVersion;
 import faultline.scenario.xml.ScenarioException;
@@ -152,6 +153,11 @@ final class CommandLine {
                     : "this is a file; expected a folder";
         }
         return e.getReason() == null ? "the file cannot be used" : e.getReason();
+    }
+
+    /** Returns the line that reports why a file cannot be written. */
+    static String problem(Path file, MessageException reason) {
+        return "faultline: " + MessageText.oneLine(file.toString()) + ": " + reason.reason();
     }
 
     private int reportError(int code, String line) {

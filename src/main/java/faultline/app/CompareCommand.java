@@ -244,7 +244,7 @@ final class CompareCommand {
             try {
                 bytes = replay.getValue().toBytes();
             } catch (MessageException e) {
-                unsaved.add(replay.getKey() + ": " + e.getMessage());
+                unsaved.add(CommandLine.problem(replay.getKey(), e));
                 replays.remove(replay.getKey());
                 continue;
             }

@@ -4,12 +4,13 @@ import faultline.io.AtomicFile;
 import faultline.io.AtomicFileGroup;
 import faultline.io.MessageText;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * The files that {@code compare} writes: a page, a table, and a replay for each controller. All are opened before the
@@ -22,7 +23,7 @@ final class ComparisonFiles implements AutoCloseable {
     private final List<Path> replays = new ArrayList<>();
     private final AtomicFileGroup group = new AtomicFileGroup();
     private final Map<Path, AtomicFile> opened = new HashMap<>();
-    private final List<AtomicFile> written = new ArrayList<>();
+    private final Set<Path> written = new HashSet<>();
 
     /**
      * Names the files.
@@ -75,9 +76,8 @@ final class ComparisonFiles implements AutoCloseable {
 
     /** Writes one of the opened files. */
     void write(Path file, byte[] content) throws IOException {
-        AtomicFile target = opened.get(file);
-        target.stream().write(content);
-        written.add(target);
+        opened.get(file).stream().write(content);
+        written.add(file);
     }
 
     /**
@@ -85,12 +85,12 @@ final class ComparisonFiles implements AutoCloseable {
      * replay; one that an earlier comparison wrote for it is deleted, because it would seem to be of this one.
      */
     void commit() throws IOException {
-        AtomicFile.commitAll(written);
         for (Path replay : replays) {
-            if (!written.contains(opened.get(replay)) && Files.isRegularFile(replay)) {
-                Files.delete(replay);
+            if (!written.contains(replay)) {
+                group.discard(opened.get(replay));
             }
         }
+        group.commit();
     }
 
     @Override

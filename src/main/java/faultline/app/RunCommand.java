@@ -6,7 +6,6 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.walls.Coverage;
 import faultline.external.ControllerJars;
-import faultline.io.MessageException;
 import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
@@ -34,12 +33,10 @@ final class RunCommand {
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result =
                     keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs), output::printError);
-            Optional<MessageException> unsaved = outputs.finish(scenario);
+            Optional<String> unsaved = outputs.finish(scenario);
             int code = print(scenario, result, options);
-            if (unsaved.isPresent()) {
-                throw unsaved.get();
-            }
-            return code;
+            unsaved.ifPresent(output::printError);
+            return unsaved.isPresent() ? ExitCode.BAD_INPUT : code;
         }
     }
 
@@ -67,7 +64,7 @@ final class RunCommand {
         try {
             return run.make();
         } catch (HeadlessRun.ResultFailedException e) {
-            outputs.finish(scenario).map(MessageException::getMessage).ifPresent(errors);
+            outputs.finish(scenario).ifPresent(errors);
             throw e;
         }
     }

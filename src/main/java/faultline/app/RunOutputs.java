@@ -9,7 +9,6 @@ import faultline.engine.trace.TraceWriter;
 import faultline.io.AtomicFile;
 import faultline.io.AtomicFileGroup;
 import faultline.io.MessageException;
-import faultline.io.MessageText;
 import faultline.io.Sha256;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.PngImage;
@@ -137,10 +136,11 @@ final class RunOutputs implements AutoCloseable {
     }
 
     /**
-     * Writes the remaining outputs and moves every file into place. Returns why the journal is not among them, if the
-     * run cannot be saved as a scenario.
+     * Writes the remaining outputs and moves every file into place. Returns the line that reports why the journal is
+     * not among them, if the run cannot be saved as a scenario; a journal of an earlier run is then deleted, because it
+     * would seem to be of this one.
      */
-    Optional<MessageException> finish(Scenario scenario) throws IOException {
+    Optional<String> finish(Scenario scenario) throws IOException {
         if (traceWriter != null) {
             traceWriter.flush();
         }
@@ -154,8 +154,7 @@ final class RunOutputs implements AutoCloseable {
         if (opened.containsKey(Output.IMAGE)) {
             writeImage(stream(Output.IMAGE));
         }
-        Optional<MessageException> unsaved =
-                opened.containsKey(Output.JOURNAL) ? writeJournal(scenario) : Optional.empty();
+        Optional<String> unsaved = opened.containsKey(Output.JOURNAL) ? writeJournal(scenario) : Optional.empty();
         if (film != null) {
             film.close();
         }
@@ -163,14 +162,13 @@ final class RunOutputs implements AutoCloseable {
         return unsaved;
     }
 
-    private Optional<MessageException> writeJournal(Scenario scenario) throws IOException {
+    private Optional<String> writeJournal(Scenario scenario) throws IOException {
         byte[] replay;
         try {
             replay = JournalScenario.create(scenario, journal).toBytes();
         } catch (MessageException unsaved) {
             files.discard(opened.get(Output.JOURNAL));
-            String name = options.outputs().get(Output.JOURNAL).toString();
-            return Optional.of(new MessageException(MessageText.oneLine(name), unsaved.reason(), unsaved));
+            return Optional.of(CommandLine.problem(options.outputs().get(Output.JOURNAL), unsaved));
         }
         stream(Output.JOURNAL).write(replay);
         return Optional.empty();

@@ -177,6 +177,13 @@ public final class AtomicFile implements AutoCloseable {
         temporary.forget();
     }
 
+    /** Deletes the file that this one would have replaced, if it exists. A device or a pipe stays. */
+    void deleteTarget() throws IOException {
+        if (temporary != null) {
+            Files.deleteIfExists(target);
+        }
+    }
+
     private MessageException problem(FileSystemException e) {
         return TemporaryFile.isProgramEnding() ? stream.problem(WriteProblem.PROGRAM_ENDS, e) : stream.problem(e);
     }

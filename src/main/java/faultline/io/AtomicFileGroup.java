@@ -12,6 +12,7 @@ import java.util.List;
 public final class AtomicFileGroup implements AutoCloseable {
 
     private final List<AtomicFile> files = new ArrayList<>();
+    private final List<AtomicFile> discarded = new ArrayList<>();
     private boolean closed;
 
     /** Creates a group without files. */
@@ -47,23 +48,29 @@ public final class AtomicFileGroup implements AutoCloseable {
     }
 
     /**
-     * Closes a file without a commit. The group no longer contains it.
+     * Closes a file without a commit of its own. The commit of the group deletes the file that it would have replaced,
+     * because that would seem to belong to the others.
      *
      * @param file a file that {@link #create} has returned
      * @throws IOException if the temporary file cannot be deleted
      */
     public synchronized void discard(AtomicFile file) throws IOException {
         files.remove(file);
+        discarded.add(file);
         file.close();
     }
 
     /**
-     * Moves all files of this group into place, as {@link AtomicFile#commitAll} does.
+     * Moves all files of this group into place, as {@link AtomicFile#commitAll} does, and deletes those in the places
+     * of discarded ones.
      *
-     * @throws IOException if one cannot be moved
+     * @throws IOException if one cannot be moved or deleted
      */
     public synchronized void commit() throws IOException {
         AtomicFile.commitAll(files);
+        for (AtomicFile file : discarded) {
+            file.deleteTarget();
+        }
     }
 
     /**

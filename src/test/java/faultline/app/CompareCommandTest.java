@@ -386,6 +386,30 @@ class CompareCommandTest {
     }
 
     @Test
+    void aReplayThatCannotBeSavedIsReportedLastAndAnOldOneIsDeleted() throws Exception {
+        Path file = OutputFilesTest.scenarioWithTooLongAJournal(folder);
+        List<Path> replays = List.of(folder.resolve("page-1.xml"), folder.resolve("page-2.xml"));
+        Files.writeString(replays.get(0), "old");
+        CommandResult result = command(
+                "compare",
+                file.toString(),
+                "--out",
+                page().toString(),
+                "--controller",
+                "none",
+                "--controller",
+                "wall-follower");
+        assertEquals(2, result.code);
+        assertFalse(result.out.contains("replay: "), result.out);
+        String reason = ": the scenario cannot be saved: the file has 18.1 MiB; expected at most 16 MiB";
+        assertEquals(
+                replays.stream().map(replay -> "faultline: " + replay + reason).toList(),
+                result.err.lines().toList());
+        assertEquals(3, table().size());
+        assertFalse(Files.exists(replays.get(0)), "the replay would seem to be of this comparison");
+    }
+
+    @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
     void everyChildIsInformedOfTheEndOfItsRun() {
         String child = STRAIGHT.replace(";; esac", ";; *) echo \"$l\" >&2;; esac");

@@ -43,7 +43,7 @@ class ComparisonFilesTest {
             Map<Path, Scenario> replays = new LinkedHashMap<>(Map.of(files.replay(0), large));
             replays.put(files.replay(1), scenario);
             assertEquals(
-                    List.of(files.replay(0)
+                    List.of("faultline: " + files.replay(0)
                             + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB"),
                     CompareCommand.writeReplays(files, replays));
             assertEquals(Set.of(files.replay(1)), replays.keySet());

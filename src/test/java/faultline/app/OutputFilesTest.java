@@ -1,6 +1,7 @@
 package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -345,8 +346,9 @@ class OutputFilesTest {
         try (RunOutputs outputs = new RunOutputs(options)) {
             HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
             assertEquals(
-                    journal + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB",
-                    outputs.finish(large).orElseThrow().getMessage());
+                    "faultline: " + journal
+                            + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB",
+                    outputs.finish(large).orElseThrow());
         }
         try (Stream<Path> files = Files.list(folder)) {
             assertEquals(List.of(trace), files.toList());
@@ -376,8 +378,44 @@ class OutputFilesTest {
                             errors::add));
         }
         assertEquals(
-                List.of(journal + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB"),
+                List.of("faultline: " + journal
+                        + ": the scenario cannot be saved: the file has 16.1 MiB; expected at most 16 MiB"),
                 errors);
+    }
+
+    /** Writes a scenario of 6 MB whose journal has 18 MB, because each character of the id becomes four. */
+    static Path scenarioWithTooLongAJournal(Path folder) throws IOException {
+        String id = ">".repeat(100);
+        return Files.writeString(
+                folder.resolve("long.xml"),
+                "<scenario xmlns='urn:faultline:scenario:1' duration='0.1'><world width='6' height='4'/>"
+                        + "<robot x='1' y='1' defaultSensors='false'><sensor id='" + id
+                        + "' x='0' y='0' bearing='0'/></robot><timeline>"
+                        + ("<fault at='0' sensor='" + id + "' kind='off'/>").repeat(43_000)
+                        + "</timeline><expect collision='true'/></scenario>");
+    }
+
+    @Test
+    void aJournalThatCannotBeSavedIsReportedAfterTheExpectationsAndAnOldOneIsDeleted() throws IOException {
+        Path file = scenarioWithTooLongAJournal(folder);
+        Path trace = Files.writeString(folder.resolve("trace.csv"), "old");
+        Path journal = Files.writeString(folder.resolve("journal.xml"), "old");
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        int code = new CommandLine(new CommandOutput(
+                        new PrintStream(out, true, StandardCharsets.UTF_8),
+                        new PrintStream(err, true, StandardCharsets.UTF_8)))
+                .run("run", file.toString(), "--trace", trace.toString(), "--journal", journal.toString());
+        assertEquals(2, code);
+        assertTrue(out.toString(StandardCharsets.UTF_8).endsWith("expectations: failed\n"));
+        assertEquals(
+                List.of(
+                        "expected a collision, but there was none",
+                        "faultline: " + journal
+                                + ": the scenario cannot be saved: the file has 18.1 MiB; expected at most 16 MiB"),
+                err.toString(StandardCharsets.UTF_8).lines().toList());
+        assertEquals(12, Files.readAllLines(trace).size());
+        assertFalse(Files.exists(journal), "the journal would seem to be of this run");
     }
 
     @Test

@@ -38,6 +38,19 @@ class AtomicFileGroupTest {
     }
 
     @Test
+    void aCommitDeletesTheOldFileInThePlaceOfADiscardedOne() throws IOException {
+        Path old = Files.writeString(folder.resolve("a"), "old");
+        try (AtomicFileGroup group = new AtomicFileGroup()) {
+            group.discard(group.create(old));
+            group.discard(group.create(folder.resolve("never-written")));
+            group.write(folder.resolve("b"), new byte[] {'y'});
+            assertEquals("old", Files.readString(old));
+            group.commit();
+        }
+        assertEquals(List.of(folder.resolve("b")), files());
+    }
+
+    @Test
     void withoutACommitNothingChanges() throws IOException {
         Path old = Files.writeString(folder.resolve("a"), "old");
         try (AtomicFileGroup group = new AtomicFileGroup()) {
