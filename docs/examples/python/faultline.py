@@ -111,6 +111,17 @@ def _read(line):
     return _parse(line.decode())[0]
 
 
+def _read_hello(line):
+    try:
+        hello = _read(line)
+        if hello["type"] == "hello":
+            _Robot(hello)
+            return hello
+    except (ValueError, LookupError, TypeError):
+        pass
+    raise RuntimeError("the first line is not the hello of the simulator: %.80r" % line.decode(errors="replace").rstrip())
+
+
 def _write(message, stream):
     stream.write((_encode(message) + "\n").encode())
     stream.flush()
@@ -134,7 +145,7 @@ def drive_with(decide, name="python", begin=None):
     sys.stdin = io.StringIO()
     robot = None
     for line in iter(messages.readline, b""):
-        message = _read(line)
+        message = _read(line) if robot else _read_hello(line)
         kind = message["type"]
         if kind == "observe":
             answer = decide(robot.sight(message))
@@ -175,7 +186,7 @@ class Simulator:
                 "there is no program %r; give the command that starts the simulator, or set FAULTLINE" % command[0]
             ) from None
         try:
-            self.hello = self._receive()
+            self.hello = _read_hello(self._receive())
             self._robot = _Robot(self.hello)
         except BaseException:
             # This is another program, or an interrupt; the caller has no simulator yet that it could close.
@@ -203,7 +214,7 @@ class Simulator:
             raise RuntimeError("the simulator is closed")
         with contextlib.suppress(OSError):  # It has ended, which _receive reports.
             _write(message, self._process.stdin)
-        answer = self._receive()
+        answer = _read(self._receive())
         if answer["type"] == "end":
             self.done = True
             self.end = answer
@@ -223,7 +234,7 @@ class Simulator:
                 "the simulator has ended with exit code %s; the reason is on its standard error"
                 % self._process.returncode
             )
-        return _read(line)
+        return line
 
     def close(self):
         """Ends the simulator."""

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The Python examples, run as the documentation says. */
 @Timeout(120)
@@ -230,8 +231,17 @@ class PythonClientTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"hello, JSONDecodeError", "{}, KeyError"})
-    void aProgramThatIsNoSimulatorIsEnded(String line, String error) throws Exception {
+    @ValueSource(
+            strings = {
+                "hello",
+                "17",
+                "[]",
+                "{}",
+                "{\"type\":\"observe\"}",
+                "{\"type\":\"hello\"}",
+                "{\"type\":\"hello\",\"robot\":{}}"
+            })
+    void aProgramThatIsNoSimulatorIsEnded(String line) throws Exception {
         Output output = python(
                 "-X",
                 "dev",
@@ -246,11 +256,29 @@ class PythonClientTest {
                 other = "import sys; print(sys.argv[1], flush=True); sys.stdin.read()"
                 try:
                     faultline.Simulator("scenarios/office.xml", command=[sys.executable, "-c", other, sys.argv[1]])
-                except (ValueError, KeyError) as mistake:
-                    print(type(mistake).__name__, Started.process.returncode)
+                except RuntimeError as mistake:
+                    print(mistake, Started.process.returncode)
                 """,
                 line);
-        assertEquals(error + " -9\n", output.text());
+        assertEquals("the first line is not the hello of the simulator: '" + line + "' -9\n", output.text());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"hello", "{}", "{\"type\":\"observe\"}"})
+    void aFollowerWhoseInputIsNotFromASimulatorSaysSo(String line) throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import io, sys
+                import faultline
+                given = sys.stdin = io.TextIOWrapper(io.BytesIO(sys.argv[1].encode()))
+                try:
+                    faultline.drive_with(lambda sight: faultline.velocities(0, 0))
+                except RuntimeError as mistake:
+                    print(mistake)
+                """,
+                line);
+        assertEquals("the first line is not the hello of the simulator: '" + line + "'\n", output.text());
     }
 
     /** The answer to the step must not be taken for that to the reset. */
