@@ -48,13 +48,17 @@ public enum WriteProblem implements Message.Template {
 
     /** Returns why writing a file has failed, given the message of the operating system. */
     static WriteProblem of(Path file, String system) {
-        return of(system, room(file).orElse(Long.MAX_VALUE));
+        return hasFolder(file) ? of(system, room(file).orElse(Long.MAX_VALUE)) : NO_FOLDER;
+    }
+
+    private static boolean hasFolder(Path file) {
+        Path folder = file.toAbsolutePath().getParent();
+        return folder == null || Files.isDirectory(folder);
     }
 
     /** Returns why creating a file has failed. */
     static WriteProblem ofCreation(Path file, FileSystemException failure) {
-        Path folder = file.toAbsolutePath().getParent();
-        if (folder != null && !Files.isDirectory(folder)) {
+        if (!hasFolder(file)) {
             return NO_FOLDER;
         }
         if (failure instanceof AccessDeniedException) {

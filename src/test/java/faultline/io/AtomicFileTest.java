@@ -232,6 +232,19 @@ class AtomicFileTest {
     }
 
     @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "open files cannot be deleted")
+    void aFolderThatIsDeletedMeanwhileIsReported() throws IOException {
+        Path deleted = Files.createDirectory(folder.resolve("deleted"));
+        try (AtomicFile out = AtomicFile.create(deleted.resolve("a.txt"))) {
+            out.stream().write(1);
+            TemporaryFolder.deleteTree(deleted);
+            assertEquals(
+                    deleted.resolve("a.txt") + ": its folder does not exist",
+                    assertThrows(IOException.class, out::commit).getMessage());
+        }
+    }
+
+    @Test
     void aFullDiskIsOneSentenceWithTheNameOfTheFile() throws IOException {
         Path full = Path.of("/dev/full");
         assumeTrue(Files.exists(full));

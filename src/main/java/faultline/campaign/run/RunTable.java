@@ -9,6 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
@@ -210,9 +211,13 @@ final class RunTable implements Closeable {
             }
         }
 
+        /** Also fails if the file has been deleted, because the rows would be lost at the end. */
         void force() throws IOException {
             try {
                 channel.force(false);
+                if (Files.notExists(file)) {
+                    throw new NoSuchFileException(file.toString());
+                }
             } catch (IOException e) {
                 throw MessageException.ofWriting(file, e);
             }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.io.MessageException;
+import faultline.io.TemporaryFolder;
 import faultline.io.WriteProblem;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,6 +37,17 @@ class RunTableTest {
         table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
         MessageException e = assertThrows(MessageException.class, table::flush);
         assertEquals(folder.resolve("timing.csv") + ": the file cannot be written completely", e.getMessage());
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "open files cannot be deleted")
+    void aFolderThatIsDeletedMeanwhileIsReported() throws IOException {
+        Path deleted = Files.createDirectory(folder.resolve("deleted"));
+        RunTable table = new RunTable(new CampaignFolder(deleted), HEADER, 0, 1);
+        table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
+        TemporaryFolder.deleteTree(deleted);
+        MessageException e = assertThrows(MessageException.class, table::close);
+        assertEquals(deleted.resolve("timing.csv") + ": its folder does not exist", e.getMessage());
     }
 
     @Test
