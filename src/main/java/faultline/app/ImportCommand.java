@@ -58,15 +58,16 @@ final class ImportCommand {
                 : "--resolution, --threshold, --negate, --unknown or --start";
     }
 
-    private static FloorPlan read(Path map, Arguments parsed, FloorPlan.Options options)
-            throws UsageException, IOException {
+    private FloorPlan read(Path map, Arguments parsed, FloorPlan.Options options) throws UsageException, IOException {
         if (FloorPlan.isYaml(map)) {
             for (String option : IMAGE_OPTIONS) {
                 if (parsed.has(option)) {
                     throw new UsageException(option + " is for an image; " + map + " gives its own");
                 }
             }
-            return FloorPlan.readYaml(map, options);
+            FloorPlan plan = FloorPlan.readYaml(map, options);
+            FloorPlan.readNotes(map).forEach(note -> output.printError(map + ": " + note));
+            return plan;
         }
         return FloorPlan.read(image(map, parsed), options);
     }

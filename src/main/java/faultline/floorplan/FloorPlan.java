@@ -1,5 +1,6 @@
 package faultline.floorplan;
 
+import faultline.io.Message;
 import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -84,6 +85,16 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
      */
     public static FloorPlan readYaml(Path yaml, Options options) throws IOException {
         return read(MapYamlReader.read(yaml), options);
+    }
+
+    /**
+     * {@return notes on what a map file contains without an effect, but probably by mistake}
+     *
+     * @param yaml the YAML file
+     * @throws IOException if the file cannot be read
+     */
+    public static List<Message> readNotes(Path yaml) throws IOException {
+        return MapYamlReader.readNotes(yaml);
     }
 
     /**

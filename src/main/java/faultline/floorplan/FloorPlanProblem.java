@@ -17,6 +17,8 @@ public enum FloorPlanProblem implements Message.Template {
     MISSING_KEY("there is no \"{0}\"; a map file needs it"),
     /** A map file has a misspelt key. */
     MISSPELT_KEY("there is no \"{0}\"; \"{1}\" may be a misspelling of it"),
+    /** A map file has an unknown key that is similar to a known one; a note, because other programs have keys, too. */
+    UNKNOWN_KEY("\"{0}\" is not a key of maps and is ignored; did you mean \"{1}\"?"),
     /** The map file is not text. */
     NOT_UTF_8("the file is not UTF-8 text"),
     /** The map file has a character that no YAML file has. */

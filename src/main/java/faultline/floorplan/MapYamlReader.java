@@ -26,7 +26,8 @@ import java.util.regex.Pattern;
 
 /**
  * Reads the YAML files of ROS map_server: one mapping, in lines or in braces, of plain or quoted scalars, and
- * {@code origin} as a list in brackets or in lines. Keys that map_server does not know are ignored.
+ * {@code origin} as a list in brackets or in lines. Keys that map_server does not know are ignored, with a note on
+ * those that may be misspelt.
  */
 final class MapYamlReader {
 
@@ -63,9 +64,26 @@ final class MapYamlReader {
      * @throws FloorPlanException at the first error
      */
     static MapDescription read(Path file) throws FloorPlanException {
+        return parsed(file).toDescription();
+    }
+
+    /** Returns a note on each unknown key that may be a misspelling of a known one. */
+    static List<Message> readNotes(Path file) throws FloorPlanException {
+        List<Message> notes = new ArrayList<>();
+        for (String given : parsed(file).entries.keySet()) {
+            if (!KEYS.contains(given)) {
+                DidYouMean.nearest(given, KEYS)
+                        .map(known -> FloorPlanProblem.UNKNOWN_KEY.with(MessageText.excerpt(given), known))
+                        .ifPresent(notes::add);
+            }
+        }
+        return notes;
+    }
+
+    private static MapYamlReader parsed(Path file) throws FloorPlanException {
         MapYamlReader reader = new MapYamlReader(file);
         reader.parse(readText(file).replaceFirst("^\uFEFF", ""));
-        return reader.toDescription();
+        return reader;
     }
 
     private static String readText(Path file) throws FloorPlanException {

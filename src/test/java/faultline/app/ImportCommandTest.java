@@ -43,6 +43,27 @@ class ImportCommandTest {
         return new CommandLine(new CommandOutput(new PrintStream(out, true), new PrintStream(err, true)));
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "negat: 1, negat, negate",
+        "occupied_tresh: 0.6, occupied_tresh, occupied_thresh",
+        "Mode: raw, Mode, mode",
+        "'{image: map.pgm, resolution: 0.05, free_tresh: 0.1}', free_tresh, free_thresh"
+    })
+    void aKeyOfAMapThatMayBeMisspeltIsNoted(String line, String given, String known) throws Exception {
+        importMap("--out", folder.resolve("image.xml").toString(), "--resolution", "0.05", "--start", "1,1.5,90");
+        Path map = folder.resolve("map.yaml");
+        Files.writeString(map, line.startsWith("{") ? line : "image: map.pgm\nresolution: 0.05\nsensor: x\n" + line);
+        Path file = folder.resolve("room.xml");
+        String[] arguments = {"import", map.toString(), "--out", file.toString(), "--start", "1,1.5,90"};
+        assertEquals(0, commandLine().run(arguments), err::toString);
+        assertEquals(
+                List.of(map + ": \"" + given + "\" is not a key of maps and is ignored; did you mean \"" + known
+                        + "\"?"),
+                err.toString().lines().toList());
+        assertTrue(Files.exists(file));
+    }
+
     @Test
     void anImageBecomesAScenarioThatCanBeRun() throws Exception {
         Path file = folder.resolve("room.xml");

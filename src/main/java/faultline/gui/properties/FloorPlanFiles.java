@@ -5,6 +5,7 @@ import faultline.floorplan.FloorPlanScenario;
 import faultline.floorplan.MapDescription;
 import faultline.geometry.Pose;
 import faultline.gui.text.Messages;
+import faultline.io.Message;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -29,8 +30,8 @@ public final class FloorPlanFiles {
     /** How an image is read: the side of a pixel, metres, and which pixels are solid from which occupancy on. */
     record ImagePixels(double resolution, boolean whiteIsOccupied, double threshold) {}
 
-    /** A floor plan, and the scenario that is made of it. */
-    record ImportedPlan(FloorPlan plan, Scenario scenario) {}
+    /** A floor plan, the scenario that is made of it, and notes on the map file. */
+    record ImportedPlan(FloorPlan plan, Scenario scenario, List<Message> notes) {}
 
     /**
      * Reads a floor plan; takes some time.
@@ -51,7 +52,7 @@ public final class FloorPlanFiles {
         Scenario scenario = start == null
                 ? FloorPlanScenario.create(name, plan, helpfulSettings(file))
                 : FloorPlanScenario.create(name, plan, start);
-        return new ImportedPlan(plan, scenario);
+        return new ImportedPlan(plan, scenario, FloorPlan.isYaml(file) ? FloorPlan.readNotes(file) : List.of());
     }
 
     /** Returns what may help if the robot has no room in the plan. */

@@ -34,6 +34,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.swing.ImageIcon;
 import javax.swing.JCheckBox;
 import javax.swing.JDialog;
@@ -221,7 +222,7 @@ public final class ImportForm extends JPanel {
         picture.setIcon(new ImageIcon(preview.picture()));
         camera = preview.camera();
         if (!preview.obstruction().isEmpty()) {
-            status.setText(preview.obstruction());
+            status.setText(preview.obstruction() + notes(preview.read()));
             return;
         }
         scenario = preview.read().scenario();
@@ -229,13 +230,21 @@ public final class ImportForm extends JPanel {
             start.setPose(scenario.setup().start());
         }
         status.setText(Messages.get(
-                "import.result",
-                Integer.toString(plan.grid().width()),
-                Integer.toString(plan.grid().height()),
-                NumberText.format("%.2f", scenario.setup().world().width()),
-                NumberText.format("%.2f", scenario.setup().world().height()),
-                Integer.toString(plan.rings().size()),
-                Integer.toString(plan.segmentCount())));
+                        "import.result",
+                        Integer.toString(plan.grid().width()),
+                        Integer.toString(plan.grid().height()),
+                        NumberText.format("%.2f", scenario.setup().world().width()),
+                        NumberText.format("%.2f", scenario.setup().world().height()),
+                        Integer.toString(plan.rings().size()),
+                        Integer.toString(plan.segmentCount()))
+                + notes(preview.read()));
+    }
+
+    /** Returns the notes on a map file, each on a line of its own. */
+    private static String notes(FloorPlanFiles.ImportedPlan read) {
+        return read.notes().stream()
+                .map(note -> "\n" + ErrorMessages.capitalised(Messages.get(note)))
+                .collect(Collectors.joining());
     }
 
     private void showFailure(Throwable failure) {

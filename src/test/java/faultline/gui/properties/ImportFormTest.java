@@ -96,6 +96,18 @@ class ImportFormTest {
         assertEquals("hall", callOnEdt(() -> form.scenario().orElseThrow().name()));
     }
 
+    @Test
+    void aKeyOfAMapThatMayBeMisspeltIsNotedBelowThePreview() throws IOException {
+        Path map = folder.resolve("hall.yaml");
+        Files.writeString(map, "image: hall.pgm\nresolution: 0.05\nnegat: 1\nsensor: x\n");
+        ImportForm form = callOnEdt(() -> new ImportForm(map));
+        awaitStatus(form, "Cells: 60 × 40");
+        assertEquals(
+                List.of("\"negat\" is not a key of maps and is ignored; did you mean \"negate\"?"),
+                form.status().lines().skip(1).toList());
+        assertTrue(callOnEdt(() -> form.scenario().isPresent()));
+    }
+
     /** A large plan takes seconds and much memory, and an arrow of a field that is held down changes it often. */
     @Test
     void aPlanIsReadOnceAtATime() throws IOException {
