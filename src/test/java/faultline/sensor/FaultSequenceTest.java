@@ -1,10 +1,12 @@
 package faultline.sensor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.CpuTime;
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -41,19 +43,18 @@ class FaultSequenceTest {
         assertEquals(sequences, lists);
     }
 
-    /** The motors of all runs of a process start with the same empty sequence. */
     @Test
     void twoThreadsCanAddToTheSameSequence() throws Exception {
         List<FaultSequence<Integer>> common = new ArrayList<>();
         for (int i = 0; i < 20_000; i++) {
-            common.add(FaultSequence.empty());
+            common.add(FaultSequence.copyOf(List.of(0)));
         }
         AtomicInteger arrived = new AtomicInteger();
         FutureTask<List<FaultSequence<Integer>>> others = new FutureTask<>(() -> addTogether(common, 2, arrived));
         new Thread(others).start();
         List<FaultSequence<Integer>> own = addTogether(common, 1, arrived);
-        assertEquals(Collections.nCopies(common.size(), List.of(1, 3)), own);
-        assertEquals(Collections.nCopies(common.size(), List.of(2, 3)), others.get());
+        assertEquals(Collections.nCopies(common.size(), List.of(0, 1, 3)), own);
+        assertEquals(Collections.nCopies(common.size(), List.of(0, 2, 3)), others.get());
     }
 
     /** Adds a fault and then 3 to each sequence, at the same time as another thread. */
@@ -73,6 +74,17 @@ class FaultSequenceTest {
             arrived.addAndGet(2 * common.size());
         }
         return made;
+    }
+
+    /** The motors of all runs of a process start with the same empty sequence. */
+    @Test
+    void anEmptySequenceDoesNotKeepTheFaultsThatAreAddedToIt() {
+        FaultSequence<Object> none = FaultSequence.empty();
+        WeakReference<Object> fault = new WeakReference<>(new Object());
+        assertEquals(1, none.with(fault.get()).size());
+        System.gc();
+        assertNull(fault.get());
+        assertEquals(0, none.size());
     }
 
     @Test
