@@ -14,9 +14,6 @@ import java.awt.geom.AffineTransform;
  */
 public record RigidMotion(double cos, double sin, double x, double y) {
 
-    /** The motion that leaves every point unchanged. */
-    public static final RigidMotion IDENTITY = new RigidMotion(1, 0, 0, 0);
-
     private static final double UNIT_TOLERANCE = 1e-9;
 
     /**

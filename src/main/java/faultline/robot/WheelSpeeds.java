@@ -8,9 +8,6 @@ package faultline.robot;
  */
 public record WheelSpeeds(double left, double right) {
 
-    /** Both sides at rest. */
-    public static final WheelSpeeds ZERO = new WheelSpeeds(0, 0);
-
     /**
      * Creates wheel speeds.
      *

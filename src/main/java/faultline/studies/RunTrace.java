@@ -13,28 +13,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/**
- * A run with its poses, states and true readings of the left sensor, metres, at each tick from tick 0 on; a reading is
- * infinite for nothing.
- */
-record RunTrace(
-        SimulationSetup setup,
-        List<Pose> poses,
-        List<ControllerState> states,
-        List<Double> distances,
-        RunResult result) {
+/** A run with its poses and states at each tick from tick 0 on. */
+record RunTrace(SimulationSetup setup, List<Pose> poses, List<ControllerState> states, RunResult result) {
 
     static RunTrace simulate(SimulationSetup setup) {
         List<Pose> poses = new ArrayList<>();
         List<ControllerState> states = new ArrayList<>();
-        List<Double> distances = new ArrayList<>();
-        int left = setup.robot().indexOf("left");
         RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of((Simulation simulation) -> {
             poses.add(simulation.pose());
             states.add(simulation.telemetry().state());
-            distances.add(simulation.trueReading(left));
         }));
-        return new RunTrace(setup, poses, states, distances, result);
+        return new RunTrace(setup, poses, states, result);
     }
 
     List<Vector2> path() {

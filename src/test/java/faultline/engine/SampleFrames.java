@@ -62,7 +62,7 @@ public final class SampleFrames {
                 true,
                 robotWith(sensors),
                 robot,
-                WheelSpeeds.ZERO,
+                new WheelSpeeds(0, 0),
                 MotorFaults.NONE,
                 sensors,
                 obstacles,

@@ -18,7 +18,7 @@ class SectorDistanceTest {
      * Sector apex (0, 0), axis along x, edges along (3, 4) and (3, -4), range 5: its outline has points with exact
      * coordinates.
      */
-    private static final Sector EXACT = new Sector(RigidMotion.IDENTITY, 0.6, 0.8, 5);
+    private static final Sector EXACT = new Sector(new RigidMotion(1, 0, 0, 0), 0.6, 0.8, 5);
 
     @Test
     void anyFigureReadsAsTheOracleSays() {
@@ -104,7 +104,7 @@ class SectorDistanceTest {
 
     @Test
     void theEdgesBelongToTheSector() {
-        Sector quarter = new Sector(RigidMotion.IDENTITY, Math.sqrt(0.5), Math.sqrt(0.5), 5);
+        Sector quarter = new Sector(new RigidMotion(1, 0, 0, 0), Math.sqrt(0.5), Math.sqrt(0.5), 5);
         assertEquals(Math.sqrt(2), SectorDistance.nearest(quarter, new Segment(1, 1, 1, 1)), 1e-15);
         assertEquals(Math.sqrt(2), SectorDistance.nearest(quarter, new Segment(1, -1, 0, -1)), 1e-15);
         assertEquals(Math.sqrt(2), SectorDistance.nearest(quarter, new Segment(1, 1, 3, 3)), 1e-15);

@@ -58,7 +58,7 @@ class SectorIntersectionsTest {
 
     @Test
     void aWallAcrossTheConeIsCircledOnBothEdges() {
-        Sector sector = new Sector(RigidMotion.IDENTITY, 0.8, 0.6, 5);
+        Sector sector = new Sector(new RigidMotion(1, 0, 0, 0), 0.8, 0.6, 5);
         List<Vector2> hits = SectorIntersections.points(sector, new Segment(2, -9, 2, 9));
         assertEquals(2, hits.size());
         assertTrue(hits.stream().anyMatch(hit -> hit.distanceTo(new Vector2(2, 1.5)) < 1e-15));
@@ -67,7 +67,7 @@ class SectorIntersectionsTest {
 
     @Test
     void whatLiesWhollyInsideTheConeHasNoCircles() {
-        Sector sector = new Sector(RigidMotion.IDENTITY, 0.8, 0.6, 5);
+        Sector sector = new Sector(new RigidMotion(1, 0, 0, 0), 0.8, 0.6, 5);
         assertEquals(List.of(), SectorIntersections.points(sector, new Disc(3, 0, 0.1)));
     }
 

@@ -79,7 +79,7 @@ final class SampleResults {
                 true,
                 RobotSpec.DEFAULT,
                 Pose.ORIGIN,
-                WheelSpeeds.ZERO,
+                new WheelSpeeds(0, 0),
                 MotorFaults.NONE,
                 List.of(),
                 List.of(),

@@ -7,6 +7,7 @@ import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.FollowerState;
 import faultline.control.TimingRule;
 import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
@@ -174,9 +175,17 @@ class ResultsClaimsTest {
      */
     private static double distanceError(RunTrace trace) {
         List<Integer> handOvers = trace.handOvers();
-        return handOvers.size() < 2
-                ? Double.NaN
-                : 1000 * (trace.distances().get(handOvers.get(1)) - WallFollowing.DEFAULT.distance());
+        if (handOvers.size() < 2) {
+            return Double.NaN;
+        }
+        int tick = handOvers.get(1);
+        try (Simulation simulation = new Simulation(trace.setup(), ControllerMode.DIRECT)) {
+            while (simulation.ticks() < tick) {
+                simulation.tick();
+            }
+            double reading = simulation.trueReading(trace.setup().robot().indexOf("left"));
+            return 1000 * (reading - WallFollowing.DEFAULT.distance());
+        }
     }
 
     @Test

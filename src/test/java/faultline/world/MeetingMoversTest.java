@@ -135,7 +135,7 @@ class MeetingMoversTest {
         Pose stop = poseAt(left, right, time);
         assertFree(name, rounds, left, right, time);
         assertPose(name, stop, world.pose());
-        assertEquals(WheelSpeeds.ZERO, world.wheelSpeeds(), name);
+        assertEquals(new WheelSpeeds(0, 0), world.wheelSpeeds(), name);
         Round met = rounds.stream()
                 .filter(round -> round.id().equals(collision.obstacle()))
                 .findFirst()

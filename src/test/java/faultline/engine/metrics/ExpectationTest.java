@@ -29,7 +29,7 @@ class ExpectationTest {
                 true,
                 RobotSpec.DEFAULT,
                 Pose.ORIGIN,
-                WheelSpeeds.ZERO,
+                new WheelSpeeds(0, 0),
                 MotorFaults.NONE,
                 List.of(),
                 List.of(),

@@ -147,7 +147,7 @@ class InteractionPainterTest {
     @Test
     void aConeHasHandlesOnItsArcAndOnBothEdges() {
         double half = Math.sqrt(0.5);
-        SelectionPainter.paintCone(context, new Sector(RigidMotion.IDENTITY, half, half, 1));
+        SelectionPainter.paintCone(context, new Sector(new RigidMotion(1, 0, 0, 0), half, half, 1));
         long along = Math.round(75 * half);
         assertEquals(
                 Stream.of("300,150", (200 + along) + "," + (150 - along), (200 + along) + "," + (150 + along))

@@ -75,7 +75,7 @@ class ViewportTest {
                 true,
                 old.robot(),
                 old.pose(),
-                WheelSpeeds.ZERO,
+                new WheelSpeeds(0, 0),
                 MotorFaults.NONE,
                 List.of(),
                 List.of(),
