@@ -23,18 +23,6 @@ public record Ellipse(RigidMotion frame, double rx, double ry) implements Convex
         }
     }
 
-    /**
-     * {@return the ellipse with its centre and first half axis at a pose}
-     *
-     * @param pose the centre, and the direction of the first half axis
-     * @param rx the first half axis, in metres, positive
-     * @param ry the second half axis, in metres, positive
-     * @throws IllegalArgumentException if a half axis is not positive and finite
-     */
-    public static Ellipse at(Pose pose, double rx, double ry) {
-        return new Ellipse(RigidMotion.of(pose), rx, ry);
-    }
-
     @Override
     public Vector2 nearestTo(Vector2 point) {
         Vector2 local = frame.toLocal(point);

@@ -95,7 +95,8 @@ class BoxDistanceTest {
         assertEquals(0, BoxDistance.between(BODY, new Disc(0, 0, 10)).distance());
         assertEquals(
                 0,
-                BoxDistance.between(BODY, Ellipse.at(new Pose(0, 0, 1), 10, 5)).distance());
+                BoxDistance.between(BODY, new Ellipse(RigidMotion.of(new Pose(0, 0, 1)), 10, 5))
+                        .distance());
     }
 
     /** Checks a gap, and gives its distance. */
@@ -129,7 +130,11 @@ class BoxDistanceTest {
         Vector2 place = new Vector2(random.nextDouble(4), random.nextDouble(4));
         return switch (random.nextInt(3)) {
             case 0 -> new Disc(place.x(), place.y(), randomLength());
-            case 1 -> Ellipse.at(new Pose(place.x(), place.y(), random.nextDouble(7)), randomLength(), randomLength());
+            case 1 ->
+                new Ellipse(
+                        RigidMotion.of(new Pose(place.x(), place.y(), random.nextDouble(7))),
+                        randomLength(),
+                        randomLength());
             default ->
                 new Segment(
                         place,

@@ -39,7 +39,9 @@ class ConvexShapeTest {
         return List.of(
                 new Sample(segment, outline(part -> onLine(segment, part))),
                 new Sample(disc, outline(part -> onEllipse(new Pose(disc.cx(), disc.cy(), 0), disc.radius(), 1, part))),
-                new Sample(Ellipse.at(pose, rx, ry), outline(part -> onEllipse(pose, rx, ry / rx, part))));
+                new Sample(
+                        new Ellipse(RigidMotion.of(pose), rx, ry),
+                        outline(part -> onEllipse(pose, rx, ry / rx, part))));
     }
 
     private static List<Vector2> outline(DoubleFunction<Vector2> point) {

@@ -31,7 +31,11 @@ final class RandomSectorScenes {
         Vector2 place = randomPointNear(sector);
         return switch (random.nextInt(4)) {
             case 0 -> new Disc(place.x(), place.y(), randomLength());
-            case 1 -> Ellipse.at(new Pose(place.x(), place.y(), random.nextDouble(7)), randomLength(), randomLength());
+            case 1 ->
+                new Ellipse(
+                        RigidMotion.of(new Pose(place.x(), place.y(), random.nextDouble(7))),
+                        randomLength(),
+                        randomLength());
             default -> segment(place, randomPointNear(sector));
         };
     }

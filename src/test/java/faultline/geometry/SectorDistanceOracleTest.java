@@ -56,8 +56,9 @@ class SectorDistanceOracleTest {
         }
         Ellipse oval = figure instanceof Ellipse given
                 ? given
-                : Ellipse.at(
-                        new Pose(figure.centre().x(), figure.centre().y(), 0),
+                : new Ellipse(
+                        RigidMotion.of(
+                                new Pose(figure.centre().x(), figure.centre().y(), 0)),
                         figure.boundingRadius(),
                         figure.boundingRadius());
         return i -> oval.frame()

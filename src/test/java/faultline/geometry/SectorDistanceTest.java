@@ -59,7 +59,8 @@ class SectorDistanceTest {
             Sector sector = scenes.sector();
             Vector2 place = scenes.figure(sector).centre();
             double rx = Math.min(0.5, 0.5 * aspect);
-            assertMatchesOracle(sector, Ellipse.at(new Pose(place.x(), place.y(), i), rx, rx / aspect), TOLERANCE);
+            assertMatchesOracle(
+                    sector, new Ellipse(RigidMotion.of(new Pose(place.x(), place.y(), i)), rx, rx / aspect), TOLERANCE);
         }
     }
 

@@ -8,6 +8,7 @@ import faultline.geometry.ConvexShape;
 import faultline.geometry.Disc;
 import faultline.geometry.Ellipse;
 import faultline.geometry.Pose;
+import faultline.geometry.RigidMotion;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import java.util.HashSet;
@@ -39,7 +40,7 @@ class GridIndexTest {
         Vector2 along = Vector2.direction(random.nextDouble(7)).times(length);
         return switch (random.nextInt(5)) {
             case 0 -> new Disc(at.x(), at.y(), length);
-            case 1 -> Ellipse.at(new Pose(at.x(), at.y(), random.nextDouble(7)), length, length / 10);
+            case 1 -> new Ellipse(RigidMotion.of(new Pose(at.x(), at.y(), random.nextDouble(7))), length, length / 10);
             case 2 -> new Segment(at, at);
             case 3 -> new Segment(at.x(), at.y(), at.x() + length, at.y());
             default -> new Segment(at, at.plus(along));
