@@ -87,9 +87,8 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
      * @param fault the newer fault
      */
     public FaultSequence<F> with(F fault) {
-        // Places of faults that were removed are left behind when they are more than the others. An empty sequence,
-        // which
-        // may be a constant, shares nothing, so that it does not keep the faults that are added to it.
+        // Places of faults that were removed are left behind when they are more than the others. An empty sequence may
+        // be a constant, so it shares nothing: it must not keep the faults that are added to it.
         Object[] shared = from < to && 2 * from <= to ? storage.add(to, fault) : null;
         if (shared != null) {
             return new FaultSequence<>(storage, shared, from, to + 1);
