@@ -25,6 +25,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import javax.swing.TransferHandler;
 
 /** Opens and saves files, and asks the questions that this requires. */
 public final class FileController {
@@ -104,7 +105,7 @@ public final class FileController {
     }
 
     /** Opens the first of some files, as {@link #open(Path)}; {@code note} receives that the others are not opened. */
-    public void openFirst(List<Path> files, Consumer<String> note) {
+    private void openFirst(List<Path> files, Consumer<String> note) {
         Path first = files.get(0);
         open(first, () -> {
             if (files.size() > 1) {
@@ -112,6 +113,19 @@ public final class FileController {
                         Messages.get("note.firstOpened", FileNames.lastOf(first), Integer.toString(files.size() - 1)));
             }
         });
+    }
+
+    /**
+     * Creates what opens the first of the files that are dropped on a window, after a runnable; {@code note} receives
+     * what is not opened.
+     */
+    public TransferHandler createDropHandler(Runnable before, Consumer<String> note) {
+        return new FileDropHandler(
+                files -> {
+                    before.run();
+                    openFirst(files, note);
+                },
+                note);
     }
 
     private void open(Path file, Runnable then) {

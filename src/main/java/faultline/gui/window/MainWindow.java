@@ -19,10 +19,12 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.dialog.AppIcon;
 import faultline.gui.dialog.ControllerActions;
 import faultline.gui.dialog.Dialogs;
+import faultline.gui.dialog.ExampleActions;
 import faultline.gui.dialog.FileController;
 import faultline.gui.dialog.NumberDialog;
 import faultline.gui.dialog.PreferencesDialog;
 import faultline.gui.dialog.ProgressDialogs;
+import faultline.gui.dialog.TextDropHandler;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.FileNames;
@@ -38,9 +40,7 @@ import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
-import faultline.gui.gallery.Gallery;
 import faultline.gui.properties.ScenarioActions;
-import faultline.gui.settings.Preference;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -81,6 +81,7 @@ public final class MainWindow extends JFrame {
     private final transient Dialogs dialogs = new Dialogs(this);
     private final transient FileController fileController =
             new FileController(this, workspace, this::commitPendingEdit);
+    private final transient ExampleActions exampleActions;
     private final transient BatchActions batchActions;
     private final SimulationCanvas canvas = new SimulationCanvas(commandSender);
     private final transient ExportController exportController =
@@ -108,6 +109,7 @@ public final class MainWindow extends JFrame {
         this.preferences = preferences;
         controllerActions = new ControllerActions(
                 this, workspace, runController, comparisonController, notes, preferences.recentCommands());
+        exampleActions = new ExampleActions(this, fileController, preferences, this::showNote);
         batchActions = new BatchActions(this, fileController, controllerActions, this::showNote);
         themeAction = new ThemeAction(canvas, preferences);
         BoundedRangeModel speed =
@@ -126,7 +128,7 @@ public final class MainWindow extends JFrame {
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
-        setTransferHandler(createDropHandler(() -> {}));
+        setTransferHandler(fileController.createDropHandler(() -> {}, this::showNote));
         TextDropHandler.install(mainPanel, getTransferHandler());
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
@@ -140,16 +142,6 @@ public final class MainWindow extends JFrame {
         workspace.addListener(new WorkspaceEvents());
         runPoller = createRunPoller();
         runPoller.start();
-    }
-
-    /** Creates what opens the first of some dropped files, after a runnable. */
-    private FileDropHandler createDropHandler(Runnable before) {
-        return new FileDropHandler(
-                files -> {
-                    before.run();
-                    fileController.openFirst(files, this::showNote);
-                },
-                this::showNote);
     }
 
     private ObstacleActions createObstacleActions() {
@@ -218,9 +210,7 @@ public final class MainWindow extends JFrame {
 
     private void addActions() {
         fileController.addTo(actionRegistry, this::quit);
-        actionRegistry.add(UiAction.of("tour", this::startTour));
-        actionRegistry.add(UiAction.of("examples", this::showExamples)
-                .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_O)));
+        exampleActions.addTo(actionRegistry, this::startTour);
         new ScenarioActions(
                         this,
                         workspace,
@@ -385,15 +375,7 @@ public final class MainWindow extends JFrame {
 
     /** Shows the gallery of shipped scenarios in front of the window until the user closes it or drops a file on it. */
     public void showExamples() {
-        Gallery gallery = new Gallery(
-                this,
-                fileController::openShipped,
-                preferences.get(Preference.GALLERY_SHOWN),
-                shown -> preferences.set(Preference.GALLERY_SHOWN, shown),
-                this::startTour);
-        gallery.setTransferHandler(createDropHandler(gallery::dispose));
-        TextDropHandler.install(gallery.getContentPane(), gallery.getTransferHandler());
-        gallery.setVisible(true);
+        exampleActions.showGallery(this::startTour);
     }
 
     private void startTour() {

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.dialog;
 
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.dialog;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -14,7 +14,7 @@ import javax.swing.TransferHandler;
 import javax.swing.text.JTextComponent;
 
 /** Passes on the files that are dropped on a text component. All else is done by the component's own handler. */
-final class TextDropHandler extends TransferHandler {
+public final class TextDropHandler extends TransferHandler {
 
     private final transient TransferHandler text;
     private final transient TransferHandler files;
@@ -25,7 +25,7 @@ final class TextDropHandler extends TransferHandler {
     }
 
     /** Passes the files that are dropped on any text component in a container, also a later one, to a handler. */
-    static void install(Container root, TransferHandler files) {
+    public static void install(Container root, TransferHandler files) {
         install(root, files, new ContainerAdapter() {
             @Override
             public void componentAdded(ContainerEvent event) {

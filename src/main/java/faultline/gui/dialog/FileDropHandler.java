@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.dialog;
 
 import faultline.gui.text.Messages;
 import java.awt.EventQueue;
