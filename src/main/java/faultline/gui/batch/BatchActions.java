@@ -11,6 +11,7 @@ import faultline.gui.dialog.ControllerActions;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.FileNames;
+import faultline.gui.document.Leaving;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextWrap;
@@ -54,11 +55,11 @@ public final class BatchActions {
     }
 
     /** Runs an action that would lose the unsaved results of all batches, after asking whether to save them. */
-    public void runIfResultsHandled(Runnable action) {
+    public void runIfResultsHandled(Leaving leaving, Runnable action) {
         Runnable rest = action;
         for (BatchDialog dialog : dialogs().toList()) {
             Runnable next = rest;
-            rest = () -> dialog.runIfResultsHandled(next);
+            rest = () -> dialog.runIfResultsHandled(leaving, next);
         }
         rest.run();
     }

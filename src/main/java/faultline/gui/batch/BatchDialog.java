@@ -4,6 +4,7 @@ import faultline.campaign.run.CampaignRunner;
 import faultline.external.ControllerChoice;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.Leaving;
 import faultline.gui.panel.FormDialog.FormProblem;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -119,12 +120,12 @@ final class BatchDialog extends RunsDialog {
     }
 
     private void start() {
-        runIfResultsHandled(() -> {
+        Leaving.begin(leaving -> runIfResultsHandled(leaving, () -> {
             // The dialog may have been closed while the results were saved.
             if (isDisplayable()) {
                 startHandled();
             }
-        });
+        }));
     }
 
     private void startHandled() {
@@ -309,8 +310,8 @@ final class BatchDialog extends RunsDialog {
     }
 
     /** Runs an action that would lose unsaved results, after asking whether to save them. */
-    void runIfResultsHandled(Runnable action) {
-        if (saved) {
+    void runIfResultsHandled(Leaving leaving, Runnable action) {
+        if (saved || leaving.isDiscarded(run)) {
             action.run();
             return;
         }
@@ -318,15 +319,16 @@ final class BatchDialog extends RunsDialog {
         int answer =
                 Dialogs.ask(this, getTitle(), question, "batch.saveResults", "batch.loss.discard", "unsaved.cancel");
         if (answer == 0) {
-            saveResults(action);
+            saveResults(leaving::ask);
         } else if (answer == 1) {
+            leaving.discard(run);
             action.run();
         }
     }
 
     @Override
     void close() {
-        runIfResultsHandled(this::disposeAndFocusOwner);
+        Leaving.begin(leaving -> runIfResultsHandled(leaving, this::disposeAndFocusOwner));
     }
 
     private void discardRun() {

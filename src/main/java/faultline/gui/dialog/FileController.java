@@ -7,6 +7,7 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.FileNames;
+import faultline.gui.document.Leaving;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.Workspace;
@@ -23,6 +24,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
@@ -35,7 +37,7 @@ public final class FileController {
     private final Component parent;
     private final FileDialogs fileDialogs;
     private final BooleanSupplier commitPendingEdit;
-    private Consumer<Runnable> leaveQuestion = Runnable::run;
+    private BiConsumer<Leaving, Runnable> leaveQuestion = (leaving, action) -> action.run();
 
     /**
      * Creates a controller for a workspace. {@code commitPendingEdit} commits what is being typed and returns whether
@@ -184,7 +186,7 @@ public final class FileController {
         if (workspace.isChanged()
                 && fileDialogs.showOptions("revert", Messages.get("revert.question"), "revert.revert", "unsaved.cancel")
                         == 0) {
-            leaveQuestion.accept(documentStore::revert);
+            runIfRecordingHandled(documentStore::revert);
         }
     }
 
@@ -196,8 +198,12 @@ public final class FileController {
     }
 
     /** Sets what runs an action that leaves the scenario after a question of its own, or does not run it. */
-    public void setLeaveQuestion(Consumer<Runnable> newQuestion) {
+    public void setLeaveQuestion(BiConsumer<Leaving, Runnable> newQuestion) {
         leaveQuestion = newQuestion;
+    }
+
+    private void runIfRecordingHandled(Runnable action) {
+        Leaving.begin(leaving -> leaveQuestion.accept(leaving, action));
     }
 
     /**
@@ -276,7 +282,7 @@ public final class FileController {
     }
 
     private void reload(Path file) {
-        leaveQuestion.accept(() -> documentStore.open(file));
+        runIfRecordingHandled(() -> documentStore.open(file));
     }
 
     private void saveAs(Runnable then) {
@@ -334,10 +340,15 @@ public final class FileController {
 
     /** Runs an action that leaves the scenario, after asking whether to save a recording and unsaved changes. */
     public void runIfChangesHandled(Runnable action) {
-        leaveQuestion.accept(() -> runIfEditsHandled(action));
+        Leaving.begin(leaving -> runIfChangesHandled(leaving, action));
     }
 
-    private void runIfEditsHandled(Runnable action) {
+    /** Does the same as one of the questions before something is left. */
+    public void runIfChangesHandled(Leaving leaving, Runnable action) {
+        leaveQuestion.accept(leaving, () -> runIfEditsHandled(leaving, action));
+    }
+
+    private void runIfEditsHandled(Leaving leaving, Runnable action) {
         // A number that was just committed has not reached the run yet and does not count as a change.
         boolean changed = commitPendingEdit.getAsBoolean() || workspace.isChanged() || workspace.awaitsCommands();
         if (!changed) {
@@ -348,7 +359,7 @@ public final class FileController {
                 "unsaved", Messages.get("unsaved.question"), "unsaved.save", "unsaved.discard", "unsaved.cancel");
         if (answer == 0) {
             // The window can be used while the file is written.
-            save(() -> runIfEditsHandled(action));
+            save(leaving::ask);
         } else if (answer == 1) {
             action.run();
         }

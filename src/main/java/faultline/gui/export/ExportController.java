@@ -6,6 +6,7 @@ import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.Leaving;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.instrument.StripContent;
@@ -64,6 +65,8 @@ public final class ExportController implements WorkspaceListener {
     private Consumer<String> errorDialog = this::showErrorDialog;
     /** The first tick of the newest recording, or {@link #NO_RECORDING}, which is less than all ticks. */
     private long recordingStart = NO_RECORDING;
+    /** Another object for each recording. */
+    private Object recordingKey = new Object();
 
     /**
      * Creates a controller. {@code fileSelector} asks for a file, given the key of the dialog's title and the extension
@@ -177,6 +180,7 @@ public final class ExportController implements WorkspaceListener {
     private void recordGif(boolean on) {
         if (on) {
             recordingStart = tick();
+            recordingKey = new Object();
         } else {
             withRenderRequest(this::endRecording);
         }
@@ -220,16 +224,17 @@ public final class ExportController implements WorkspaceListener {
      * the choice of a file is cancelled, or the file cannot be written, nothing happens. The recording is on until it
      * is saved, or the action has opened a scenario.
      */
-    public void runIfRecordingHandled(Runnable action) {
-        if (!recordGif.isOn()) {
+    public void runIfRecordingHandled(Leaving leaving, Runnable action) {
+        if (!recordGif.isOn() || leaving.isDiscarded(recordingKey)) {
             action.run();
             return;
         }
         discardQuestion.get().ifPresent(discard -> {
             if (discard) {
+                leaving.discard(recordingKey);
                 action.run();
             } else {
-                withRenderRequest(request -> saveRecording(request, action));
+                withRenderRequest(request -> saveRecording(request, leaving::ask));
             }
         });
     }

@@ -3,6 +3,7 @@ package faultline.gui.export;
 import faultline.gui.action.Notes;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.FileNames;
+import faultline.gui.document.Leaving;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import java.awt.Component;
@@ -85,9 +86,9 @@ public final class RunningExports {
      * Runs an action that closes the window, after asking whether to wait for the exports that are being written. The
      * action does not run if the user wants to stay, or waits for an export that fails or is cancelled.
      */
-    public void runIfHandled(Runnable action) {
+    public void runIfHandled(Leaving leaving, Runnable action) {
         stopWaiting();
-        if (tasks.isEmpty()) {
+        if (tasks.stream().allMatch(leaving::isDiscarded)) {
             action.run();
             return;
         }
@@ -98,6 +99,7 @@ public final class RunningExports {
             waitingNote = Messages.get("export.exit.waiting", names());
             notes.keep(waitingNote);
         } else if (answer == 0 && failures == before || answer == 1) {
+            tasks.forEach(leaving::discard);
             action.run();
         }
     }

@@ -29,6 +29,7 @@ import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.FileWatch;
+import faultline.gui.document.Leaving;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.RunController;
@@ -320,12 +321,21 @@ public final class MainWindow extends JFrame {
     }
 
     private void quit() {
-        exportController
-                .exports()
-                .runIfHandled(() -> batchActions.runIfResultsHandled(() -> fileController.runIfChangesHandled(() -> {
-                    windowBounds.save();
-                    dispose();
-                })));
+        Leaving.begin(leaving -> {
+            // The window may have been closed while a file was written.
+            if (isDisplayable()) {
+                quit(leaving);
+            }
+        });
+    }
+
+    private void quit(Leaving leaving) {
+        Runnable close = () -> {
+            windowBounds.save();
+            dispose();
+        };
+        Runnable changes = () -> fileController.runIfChangesHandled(leaving, close);
+        exportController.exports().runIfHandled(leaving, () -> batchActions.runIfResultsHandled(leaving, changes));
     }
 
     ActionRegistry actions() {

@@ -56,7 +56,7 @@ class FileControllerTest {
     void addActions() {
         runOnEdt(() -> {
             files.addTo(actions, () -> {});
-            files.setLeaveQuestion(leave -> questions.add("recording"));
+            files.setLeaveQuestion((leaving, leave) -> questions.add("recording"));
         });
     }
 
@@ -121,7 +121,7 @@ class FileControllerTest {
         CountDownLatch end = new CountDownLatch(1);
         AtomicBoolean left = new AtomicBoolean();
         runOnEdt(() -> {
-            files.setLeaveQuestion(Runnable::run);
+            files.setLeaveQuestion((leaving, leave) -> leave.run());
             workspace.setControllerChoice(setup -> {
                 await(end);
                 return setup;
@@ -145,7 +145,7 @@ class FileControllerTest {
         edit();
         AtomicReference<Boolean> changed = new AtomicReference<>();
         runOnEdt(() -> {
-            files.setLeaveQuestion(Runnable::run);
+            files.setLeaveQuestion((leaving, leave) -> leave.run());
             answers = Set.of("unsaved.save");
             workspace.addListener(new WorkspaceListener() {
                 @Override
@@ -165,6 +165,24 @@ class FileControllerTest {
                 Scenario.load(file).setup().timeline().stream()
                         .map(event -> ((Command.SwitchSensor) event.command()).sensorId())
                         .toList());
+    }
+
+    /** Another recording may have been begun while the file was written. */
+    @Test
+    void theQuestionAboutARecordingIsAskedAgainAfterTheSaveBeforeTheScenarioIsLeft() throws IOException {
+        openCopy();
+        edit();
+        AtomicBoolean left = new AtomicBoolean();
+        runOnEdt(() -> {
+            files.setLeaveQuestion((leaving, leave) -> {
+                questions.add("recording");
+                leave.run();
+            });
+            answers = Set.of("unsaved.save");
+            files.runIfChangesHandled(() -> left.set(true));
+        });
+        Await.until("the end", left::get);
+        assertEquals(List.of("recording", "unsaved", "recording"), questions);
     }
 
     private static void await(CountDownLatch latch) {

@@ -19,6 +19,7 @@ import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.DocumentStore;
+import faultline.gui.document.Leaving;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskKind;
@@ -284,15 +285,15 @@ class ExportControllerTest {
         List<String> left = new ArrayList<>();
         runOnEdt(() -> {
             controller.setDiscardQuestion(() -> answers.remove(0));
-            controller.runIfRecordingHandled(() -> left.add("no recording"));
+            leave(() -> left.add("no recording"));
             assertEquals(3, answers.size());
             setRecording(true);
-            controller.runIfRecordingHandled(() -> left.add("closed"));
+            leave(() -> left.add("closed"));
             assertTrue(action("record").isOn());
-            controller.runIfRecordingHandled(() -> left.add("discarded"));
+            leave(() -> left.add("discarded"));
         });
         stepTo(STEPS + 6);
-        runOnEdt(() -> controller.runIfRecordingHandled(() -> left.add("saved")));
+        runOnEdt(() -> leave(() -> left.add("saved")));
         Await.until("the end", () -> left.contains("saved"));
         assertEquals(List.of("no recording", "discarded", "saved"), left);
         assertEquals(2, frameCount(Files.readAllBytes(folder.resolve("out.gif"))), "ticks 12 and 17 of 18");
@@ -307,11 +308,38 @@ class ExportControllerTest {
             controller.setDiscardQuestion(() -> answers.remove(0));
             refusals = 1;
             setRecording(true);
-            controller.runIfRecordingHandled(() -> left.add("saved"));
+            leave(() -> left.add("saved"));
         });
         assertEquals(List.of(), left);
         assertEquals(1, answers.size(), "asked once");
         assertTrue(callOnEdt(action("record")::isOn));
+    }
+
+    private void leave(Runnable action) {
+        Leaving.begin(leaving -> controller.runIfRecordingHandled(leaving, action));
+    }
+
+    @Test
+    void onlyAnotherRecordingThanTheDiscardedOneIsAskedAboutAgain() {
+        List<String> questions = new ArrayList<>();
+        List<String> left = new ArrayList<>();
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> {
+                questions.add("discard");
+                return Optional.of(true);
+            });
+            setRecording(true);
+            Leaving.begin(leaving -> controller.runIfRecordingHandled(leaving, () -> {
+                left.add(questions.toString());
+                if (left.size() == 1) {
+                    leaving.ask();
+                    controller.scenarioOpened();
+                    setRecording(true);
+                    leaving.ask();
+                }
+            }));
+        });
+        assertEquals(List.of("[discard]", "[discard]", "[discard, discard]"), left);
     }
 
     /** The action can still be cancelled, or fail. */
@@ -319,9 +347,9 @@ class ExportControllerTest {
     void aDiscardedRecordingIsOnUntilTheScenarioIsLeft() {
         runOnEdt(() -> {
             setRecording(true);
-            controller.runIfRecordingHandled(() -> {});
+            leave(() -> {});
             assertTrue(action("record").isOn());
-            controller.runIfRecordingHandled(controller::scenarioOpened);
+            leave(controller::scenarioOpened);
             assertFalse(action("record").isOn());
         });
     }
@@ -339,7 +367,7 @@ class ExportControllerTest {
         stepTo(STEPS + 6);
         runOnEdt(() -> {
             if (leaves) {
-                controller.runIfRecordingHandled(() -> left.add("left"));
+                leave(() -> left.add("left"));
             } else {
                 setRecording(false);
             }

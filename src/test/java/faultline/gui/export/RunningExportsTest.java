@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Notes;
+import faultline.gui.document.Leaving;
 import faultline.gui.document.TaskProgress;
 import java.awt.SecondaryLoop;
 import java.awt.Toolkit;
@@ -57,7 +58,7 @@ class RunningExportsTest {
             start("out.csv");
         });
         Await.until("the end", () -> !written.isEmpty());
-        runOnEdt(() -> exports.runIfHandled(this::close));
+        runOnEdt(() -> runIfHandled(this::close));
         assertEquals(1, closings);
         assertEquals(List.of(), questions);
     }
@@ -67,7 +68,7 @@ class RunningExportsTest {
         runOnEdt(() -> {
             answer(0);
             start("out.csv");
-            exports.runIfHandled(() -> {
+            runIfHandled(() -> {
                 assertEquals(1, written.size());
                 close();
             });
@@ -86,7 +87,7 @@ class RunningExportsTest {
             answer(0);
             start("a.csv");
             start("b.csv");
-            exports.runIfHandled(() -> {
+            runIfHandled(() -> {
                 assertEquals(2, written.size());
                 close();
             });
@@ -102,7 +103,7 @@ class RunningExportsTest {
         runOnEdt(() -> {
             answer(answer);
             start("out.csv");
-            exports.runIfHandled(this::close);
+            runIfHandled(this::close);
             assertEquals(expected, closings);
             assertEquals(List.of(), kept);
         });
@@ -111,13 +112,34 @@ class RunningExportsTest {
     }
 
     @Test
+    void onlyAnExportBegunAfterTheAnswerIsAskedAboutAgain() {
+        runOnEdt(() -> {
+            answer(1);
+            start("out.csv");
+            Leaving.begin(leaving -> exports.runIfHandled(leaving, () -> {
+                close();
+                if (closings == 1) {
+                    leaving.ask();
+                    start("next.csv");
+                    leaving.ask();
+                }
+            }));
+        });
+        assertEquals(3, closings);
+        assertEquals(
+                List.of(QUESTION, QUESTION.replace("out.csv", "out.csv, next.csv")),
+                questions,
+                "a question, none, and another one");
+    }
+
+    @Test
     void theWindowNoLongerWaitsIfTheUserClosesItAgainAndStays() {
         runOnEdt(() -> {
             start("out.csv");
             answer(0);
-            exports.runIfHandled(this::close);
+            runIfHandled(this::close);
             answer(2);
-            exports.runIfHandled(this::close);
+            runIfHandled(this::close);
             assertEquals(List.of(), kept);
         });
         Await.until("the end", () -> !written.isEmpty());
@@ -135,7 +157,7 @@ class RunningExportsTest {
                 return 0;
             });
             exports.start(folder.resolve("out.csv"), RunningExportsTest::write, () -> {}, open::exit);
-            exports.runIfHandled(this::close);
+            runIfHandled(this::close);
         });
         assertEquals(1, errors.size(), errors::toString);
         assertEquals(0, closings);
@@ -147,7 +169,7 @@ class RunningExportsTest {
         runOnEdt(() -> {
             answer(0);
             start("out.csv");
-            exports.runIfHandled(this::close);
+            runIfHandled(this::close);
         });
         Await.until("the failure", () -> !errors.isEmpty());
         runOnEdt(() -> {
@@ -192,6 +214,10 @@ class RunningExportsTest {
         assertEquals(
                 file + " cannot be written: the name is too long",
                 RunningExports.failureText(Path.of(file), new IOException(file + ": the name is too long")));
+    }
+
+    private void runIfHandled(Runnable action) {
+        Leaving.begin(leaving -> exports.runIfHandled(leaving, action));
     }
 
     private void answer(int answer) {

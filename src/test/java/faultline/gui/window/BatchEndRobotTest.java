@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,6 +15,8 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
+import java.awt.SecondaryLoop;
+import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -22,6 +25,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.UUID;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -167,6 +172,43 @@ class BatchEndRobotTest {
         driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
         assertFalse(callOnEdt(dialog::isDisplayable));
         assertNothingIsLeft();
+    }
+
+    /** The title of the window changes when the file has been written. */
+    @Test
+    void quittingAsksAboutABatchThatIsStartedDuringTheSave() throws Exception {
+        CountDownLatch saved = new CountDownLatch(1);
+        AtomicReference<SecondaryLoop> pause = new AtomicReference<>();
+        edit();
+        runOnEdt(() -> driver.window().addPropertyChangeListener("title", event -> {
+            pause.set(Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop());
+            EventQueue.invokeLater(saved::countDown);
+            pause.get().enter();
+        }));
+        driver.chooseLater("quit");
+        driver.clickButton("Unsaved changes", "Save");
+        saved.await();
+        waitForRuns(startBatch("9000", "3"), 3);
+        runOnEdt(() -> pause.get().exit());
+        answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
+        assertNothingIsLeft();
+    }
+
+    @Test
+    void aDiscardedBatchIsNotAskedAboutAgainAfterTheSave() {
+        edit();
+        waitForRuns(startBatch("9000", "3"), 3);
+        driver.chooseLater("quit");
+        answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
+        driver.clickButton("Unsaved changes", "Save");
+        driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
+        assertNothingIsLeft();
+    }
+
+    private void edit() {
+        driver.type(KeyEvent.VK_1);
+        driver.robot().waitFor("the edit", () -> driver.window().getTitle().contains("*"));
     }
 
     /** Enter gives the first answer, which keeps the results. */

@@ -326,6 +326,17 @@ class SaveRobotTest {
         assertEquals(after, saved(file));
     }
 
+    /** The window can be used while the file is written; its title changes when it has been. */
+    @Test
+    void closingAsksAboutARecordingThatIsBegunDuringTheSave() throws ScenarioException {
+        runOnEdt(() -> driver.window().addPropertyChangeListener("title", event -> driver.chooseOnEdt("record")));
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.clickButton("Unsaved changes", "Save");
+        driver.clickButton("Recording", "Discard");
+        driver.robot().waitFor("the window is closed", () -> !driver.window().isShowing());
+        assertEquals(after, saved(file));
+    }
+
     @Test
     void theCloseButtonOfTheWindowAsksTooAndEscCancels() throws ScenarioException {
         EventQueue.invokeLater(
