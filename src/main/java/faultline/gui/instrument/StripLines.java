@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.PlotPainter;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.Palette;
@@ -10,20 +11,29 @@ import java.util.List;
 
 /**
  * Paints the lines of a strip chart. If a bucket has several ticks, a band shows its least and greatest values and the
- * line is in the middle; a bucket without any is a gap.
+ * line is in the middle; a bucket without any is a gap. On the shades of faults, a halo separates lines from them,
+ * because the colours of many sensors differ enough from the canvas only.
  */
 final class StripLines {
 
     private static final int BAND_ALPHA = 80;
+    /** The width of a halo in addition to that of its line, pixels. */
+    private static final double HALO_WIDTH = 3;
+
+    private static final Vector2 GAP = new Vector2(Double.NaN, Double.NaN);
 
     private final PlotPainter painter;
     private final Theme theme;
     private final StripScale scale;
+    private final StripContent content;
+    private final List<TimelineItem> shades;
 
-    StripLines(PlotPainter painter, Theme theme, StripScale scale) {
+    StripLines(PlotPainter painter, Theme theme, StripScale scale, StripContent content) {
         this.painter = painter;
         this.theme = theme;
         this.scale = scale;
+        this.content = content;
+        shades = content.items().stream().filter(TimelineItem::isInterval).toList();
     }
 
     void paint(ChartLine line) {
@@ -31,7 +41,7 @@ final class StripLines {
     }
 
     /** Paints the same lines of the reference run. */
-    void paintReference(StripContent content) {
+    void paintReference() {
         int width = (int) scale.plot().area().width();
         content.referenceData(width)
                 .ifPresent(data ->
@@ -59,7 +69,20 @@ final class StripLines {
             }
         }
         paintBand(upper, lower, style);
+        paintHalo(middle, style.width() + HALO_WIDTH, data.timeOf(1) - data.timeOf(0));
         painter.paintLine(middle, style);
+    }
+
+    /** Paints what is behind a line on shades, to the nearest of its points, which are some seconds apart. */
+    private void paintHalo(List<Vector2> line, double width, double step) {
+        List<Vector2> shaded = line.stream()
+                .map(at -> shades.stream().anyMatch(shade -> isNear(shade, at.x(), step)) ? at : GAP)
+                .toList();
+        painter.paintLine(shaded, LineStyle.solid(theme.palette().canvas(), width));
+    }
+
+    private static boolean isNear(TimelineItem shade, double time, double step) {
+        return shade.start() <= time + step && shade.end() >= time - step;
     }
 
     /** Paints a band without gaps, and empties its lists for the next one. */

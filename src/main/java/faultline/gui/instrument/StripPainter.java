@@ -76,8 +76,8 @@ final class StripPainter {
         painter.paintGrid(LineStyle.solid(Palette.withAlpha(theme.palette().muted(), GRID_ALPHA), 1));
         painter.paintTicks(new TickStyle(mutedStyle, 0, 6, 15, " s"));
         surface.drawText(scale.signal().unit(), new Vector2(4, ribbonTop + RIBBON_BASELINE), mutedStyle);
-        StripLines lines = new StripLines(painter, theme, scale);
-        lines.paintReference(content);
+        StripLines lines = new StripLines(painter, theme, scale, content);
+        lines.paintReference();
         scale.signal().lines().forEach(lines::paint);
         paintEvents();
         if (scale.isEmpty() && content.reference() == null) {

@@ -35,6 +35,8 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
@@ -50,6 +52,11 @@ class StripContentTest {
     private static final List<SignalGroup> GROUPS =
             SignalGroup.allOf(FRAME.snapshot().robot().sensorIds());
     private static final TimeSpan SPAN = new TimeSpan(10, 10);
+    /** Less than the width of a halo in an image with four times as many pixels. */
+    private static final int NEAR = 4;
+
+    private static final ReferenceRun OTHER_RUN = ReferenceRun.replay(
+            new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 2000), tick -> true);
 
     private final StripChart chart = callOnEdt(StripChart::new);
 
@@ -120,6 +127,56 @@ class StripContentTest {
                 Color shade = new Color(content.toImage(theme, 1)
                         .getRGB((int) scale.plot().x(13), (int) scale.plot().y(0.03)));
                 curves.forEach(curve -> assertTrue(Contrast.of(curve, shade) >= 3, one + " and " + other));
+            }
+        }
+    }
+
+    /** The colours of many sensors have a contrast of 3 to the canvas only, so each line has a halo. */
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void everyCurveIsSeparatedFromTheShadesOfTwoFaultySensors(Theme theme) {
+        List<String> sensors = FRAME.snapshot().robot().sensorIds();
+        // There is no band, because no pixel has several ticks.
+        TimeSpan span = new TimeSpan(11.5, 3);
+        for (int i = 0; i < GROUPS.size(); i++) {
+            List<TimelineItem> faults =
+                    List.of(fault(sensors.get(i % sensors.size())), fault(sensors.get((i + 1) % sensors.size())));
+            StripContent content = new StripContent(FRAME, GROUPS.get(i), span, ValueRange.FITTED, faults, OTHER_RUN);
+            BufferedImage image = content.toImage(theme, 4);
+            StripScale scale = content.scale(900, 420, true);
+            Stream.concat(
+                            content.signal().lines().stream()
+                                    .map(line -> line.style(theme).colour()),
+                            Stream.of(theme.palette().reference()))
+                    .distinct()
+                    .forEach(curve -> assertSeparated(image, curve, scale, content.signal()));
+        }
+    }
+
+    /** Asserts that the shade touches no curve whose colour differs too little from it. */
+    private static void assertSeparated(BufferedImage image, Color curve, StripScale scale, SignalGroup signal) {
+        int left = (int) (4 * scale.plot().x(12.5));
+        int right = (int) (4 * scale.plot().x(13.5));
+        int top = (int) (4 * scale.plot().area().y());
+        int[] shaded = image.getRGB(left, top, right - left, image.getHeight() - top, null, 0, right - left);
+        int shade = IntStream.of(shaded)
+                .boxed()
+                .collect(Collectors.groupingBy(pixel -> pixel, Collectors.counting()))
+                .entrySet()
+                .stream()
+                .max(Map.Entry.comparingByValue())
+                .orElseThrow()
+                .getKey();
+        if (Contrast.of(curve, new Color(shade)) < 3) {
+            for (int i = 0; i < shaded.length; i++) {
+                int x = left + i % (right - left);
+                int y = top + i / (right - left);
+                assertFalse(
+                        shaded[i] == curve.getRGB()
+                                && IntStream.rangeClosed(-NEAR, NEAR)
+                                        .anyMatch(d -> image.getRGB(x + d, y) == shade
+                                                || y + d < image.getHeight() && image.getRGB(x, y + d) == shade),
+                        signal.name() + " at " + x + ", " + y);
             }
         }
     }
