@@ -106,6 +106,7 @@ public final class SensorDetailsPanel extends JPanel {
         UiText.tip(inject, "faults.inject.tip");
         inject.addActionListener(event -> inject());
         UiText.nameAndTip(sensorChoice, "faults.sensor");
+        sensorChoice.setRenderer(NamedChoice.<String>rendererOf(UiText::shortName, id -> id));
     }
 
     private void showSensor() {

@@ -3,6 +3,7 @@ package faultline.gui.timeline;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
+import faultline.gui.theme.UiText;
 import faultline.world.Command;
 
 /** Describes the items of the time line in the user's language. */
@@ -37,7 +38,17 @@ final class TimelineText {
     static String dialogTitle(TimelineItem item) {
         boolean fault =
                 item.command() instanceof Command.InjectFault || item.command() instanceof Command.InjectMotorFault;
-        return fault ? Messages.get("faults.kind") : title(item);
+        return fault ? Messages.get("faults.kind") : title(withShortName(item));
+    }
+
+    /** Returns an item about a moved obstacle with the name that fits into a title. */
+    private static TimelineItem withShortName(TimelineItem item) {
+        return item.command() instanceof Command.MoveObstacle move
+                ? new TimelineItem(
+                        new Command.MoveObstacle(UiText.shortName(move.obstacle()), move.pose()),
+                        item.start(),
+                        item.end())
+                : item;
     }
 
     /** Returns the name and the times. */

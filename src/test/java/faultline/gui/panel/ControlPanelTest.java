@@ -290,6 +290,26 @@ class ControlPanelTest {
     }
 
     @Test
+    void theListOfSensorsIsNotAsWideAsALongId() {
+        SensorDetailsPanel details =
+                callOnEdt(() -> new SensorDetailsPanel(new CommandSender(this::execute), sensorEdits));
+        SensorSnapshot front = world.sensors().get(0);
+        SensorSnapshot renamed = new SensorSnapshot(
+                front.spec().withId("sensor-".repeat(14)),
+                front.sector(),
+                front.truth(),
+                front.reported(),
+                front.intersections(),
+                front.faults());
+        runOnEdt(() -> {
+            details.setSensors(List.of(renamed), List.of(), 0);
+            JComboBox<?> choice = ComponentFinder.find(details, JComboBox.class, "Sensor");
+            int width = choice.getPreferredSize().width;
+            assertTrue(width < 400, "it has a width of " + width);
+        });
+    }
+
+    @Test
     void aRobotWithoutSensorsKeepsNoneOfTheScenarioBefore() {
         SensorDetailsPanel details =
                 callOnEdt(() -> new SensorDetailsPanel(new CommandSender(this::execute), sensorEdits));

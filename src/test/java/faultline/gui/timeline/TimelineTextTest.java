@@ -1,0 +1,24 @@
+package faultline.gui.timeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.world.Command;
+import org.junit.jupiter.api.Test;
+
+class TimelineTextTest {
+
+    private static String titleOfMove(String obstacle) {
+        return TimelineText.dialogTitle(
+                new TimelineItem(new Command.MoveObstacle(obstacle, new Pose(1, 2, 0.5)), 3, 3));
+    }
+
+    @Test
+    void theTitleOfAMoveIsNotAsLongAsTheIdOfTheObstacle() {
+        assertEquals("chair moved to 1.000, 2.000, 28.6°", titleOfMove("chair"));
+        String title = titleOfMove("chair-".repeat(16));
+        assertTrue(title.startsWith("chair-chair-") && title.endsWith("... moved to 1.000, 2.000, 28.6°"), title);
+        assertTrue(title.length() < 90, title);
+    }
+}
