@@ -61,8 +61,9 @@ public final class FileController {
                 .withIcon(Glyph.OPEN));
         actions.add(UiAction.of(
                 "importPlan",
-                () -> runIfChangesHandled(() ->
-                        fileDialogs.chooseFloorPlan().ifPresent(plan -> importPlan(plan, FileController::doNothing)))));
+                () -> runIfChangesHandled(() -> fileDialogs
+                        .chooseFloorPlan()
+                        .ifPresent(plan -> importPlan(plan, FileController::doNothing, FileController::doNothing)))));
         actions.add(UiAction.of("revert", this::revert));
         actions.add(UiAction.of("save", this::save)
                 .withAccelerator(menuShortcut(KeyEvent.VK_S))
@@ -103,18 +104,21 @@ public final class FileController {
 
     /** Opens a file, or imports it if it is a floor plan. */
     public void open(Path file) {
-        open(file, FileController::doNothing);
+        open(file, FileController::doNothing, FileController::doNothing);
     }
 
     /** Opens the first of some files, as {@link #open(Path)}; {@code note} receives that the others are not opened. */
-    private void openFirst(List<Path> files, Consumer<String> note) {
-        Path first = files.get(0);
-        open(first, () -> {
-            if (files.size() > 1) {
-                note.accept(
-                        Messages.get("note.firstOpened", FileNames.lastOf(first), Integer.toString(files.size() - 1)));
-            }
-        });
+    void openFirst(List<Path> files, Consumer<String> note) {
+        open(
+                files.get(0),
+                () -> noteOthers("note.firstOpened", files, note),
+                () -> noteOthers("note.firstNotOpened", files, note));
+    }
+
+    private static void noteOthers(String key, List<Path> files, Consumer<String> note) {
+        if (files.size() > 1) {
+            note.accept(Messages.get(key, FileNames.lastOf(files.get(0)), Integer.toString(files.size() - 1)));
+        }
     }
 
     /**
@@ -130,18 +134,19 @@ public final class FileController {
                 note);
     }
 
-    private void open(Path file, Runnable then) {
+    private void open(Path file, Runnable then, Runnable otherwise) {
         runIfChangesHandled(() -> {
             if (FloorPlanFiles.isFloorPlan(file)) {
-                importPlan(file, then);
+                importPlan(file, then, otherwise);
             } else {
-                documentStore.open(file, then);
+                documentStore.open(file, then, otherwise);
             }
         });
     }
 
-    private void importPlan(Path file, Runnable then) {
-        ImportForm.showDialog(parent, file).ifPresent(scenario -> documentStore.create(scenario, then));
+    private void importPlan(Path file, Runnable then, Runnable otherwise) {
+        ImportForm.showDialog(parent, file)
+                .ifPresentOrElse(scenario -> documentStore.create(scenario, then, otherwise), otherwise);
     }
 
     /** Opens a scenario that is part of the program. */

@@ -22,23 +22,31 @@ public final class DocumentStore {
 
     /** Opens a scenario file. */
     public void open(Path file) {
-        open(file, () -> {});
+        open(file, () -> {}, () -> {});
     }
 
-    /** Opens a scenario file; {@code then} runs when it is open. */
-    public void open(Path file, Runnable then) {
-        open(file, () -> Scenario.load(file), then);
+    /**
+     * Opens a scenario file; {@code then} runs when it is open, {@code otherwise} if it cannot be opened or the user
+     * cancels that.
+     */
+    public void open(Path file, Runnable then, Runnable otherwise) {
+        open(file, () -> Scenario.load(file), then, otherwise);
     }
 
     /** Opens a scenario file with a given reader; {@code then} runs when it is open. */
     public void open(Path file, Callable<Scenario> reader, Runnable then) {
+        open(file, reader, then, () -> {});
+    }
+
+    private void open(Path file, Callable<Scenario> reader, Runnable then, Runnable otherwise) {
         start(
                 file,
                 () -> {
                     Scenario scenario = reader.call();
                     return new ScenarioDocument(file, scenario, scenario);
                 },
-                then);
+                then,
+                otherwise);
     }
 
     /** Opens a scenario that is part of the program, given the name of its file. */
@@ -51,12 +59,19 @@ public final class DocumentStore {
 
     /** Opens a new scenario, which has no file yet. */
     public void create(Scenario scenario) {
-        create(scenario, () -> {});
+        create(scenario, () -> {}, () -> {});
     }
 
-    /** Opens a new scenario, which has no file yet; {@code then} runs when it is open. */
-    public void create(Scenario scenario, Runnable then) {
-        start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario), then);
+    /**
+     * Opens a new scenario, which has no file yet; {@code then} runs when it is open, {@code otherwise} if it cannot be
+     * opened or the user cancels that.
+     */
+    public void create(Scenario scenario, Runnable then, Runnable otherwise) {
+        start(
+                Path.of(FileNames.forScenario(scenario.name())),
+                () -> new ScenarioDocument(null, null, scenario),
+                then,
+                otherwise);
     }
 
     /** Opens a generated scenario that has no file; it does not count as changed. {@code then} runs when it is open. */

@@ -31,6 +31,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 @ExtendWith(EdtChecker.class)
 class FileControllerTest {
@@ -183,6 +185,20 @@ class FileControllerTest {
         });
         Await.until("the end", left::get);
         assertEquals(List.of("recording", "unsaved", "recording"), questions);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"office.xml, office.xml is open", "broken.xml, broken.xml is not open"})
+    void theFilesThatAreDroppedWithAnotherAreCounted(String first, String note) throws IOException {
+        openCopy();
+        Files.writeString(folder.resolve("broken.xml"), "<scenario");
+        List<String> notes = new CopyOnWriteArrayList<>();
+        runOnEdt(() -> {
+            files.setLeaveQuestion((leaving, leave) -> leave.run());
+            files.openFirst(List.of(folder.resolve(first), Path.of("a.xml"), Path.of("b.xml")), notes::add);
+        });
+        Await.until("the note", () -> !notes.isEmpty());
+        assertEquals(List.of(note + ". Files that were dropped with it and not opened: 2"), notes);
     }
 
     private static void await(CountDownLatch latch) {
