@@ -117,7 +117,7 @@ def _read_hello(line):
         if hello["type"] == "hello":
             _Robot(hello)
             return hello
-    except (ValueError, LookupError, TypeError):
+    except (ValueError, LookupError, TypeError, RecursionError):
         pass
     raise RuntimeError("the first line is not the hello of the simulator: %.80r" % line.decode(errors="replace").rstrip())
 

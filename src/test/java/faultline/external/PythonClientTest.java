@@ -281,6 +281,22 @@ class PythonClientTest {
         assertEquals("the first line is not the hello of the simulator: '" + line + "'\n", output.text());
     }
 
+    @Test
+    void aFollowerTakesDeeplyNestedInputForNoHello() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import io, sys
+                import faultline
+                given = sys.stdin = io.TextIOWrapper(io.BytesIO(b"[" * 200_000))
+                try:
+                    faultline.drive_with(lambda sight: faultline.velocities(0, 0))
+                except RuntimeError as mistake:
+                    print(str(mistake)[:49])
+                """);
+        assertEquals("the first line is not the hello of the simulator:\n", output.text());
+    }
+
     /** The answer to the step must not be taken for that to the reset. */
     @Test
     void anInterruptWhileASimulatorStepsClosesIt() throws Exception {

@@ -38,6 +38,8 @@ final class BatchDialog extends RunsDialog {
     private final Timer poll = new Timer(POLL_MILLIS, event -> update());
     /** Null before the first batch. */
     private transient BatchRun run;
+    /** Another object each time that runs are made: results that a user gives up are no later ones. */
+    private transient Object resultsKey = new Object();
     /** The controller of the batch. */
     private transient ControllerChoice controller = ControllerChoice.SCENARIO;
 
@@ -120,12 +122,7 @@ final class BatchDialog extends RunsDialog {
     }
 
     private void start() {
-        Leaving.begin(leaving -> runIfResultsHandled(leaving, () -> {
-            // The dialog may have been closed while the results were saved.
-            if (isDisplayable()) {
-                startHandled();
-            }
-        }));
+        runIfResultsHandled(this::startHandled);
     }
 
     private void startHandled() {
@@ -153,6 +150,7 @@ final class BatchDialog extends RunsDialog {
     }
 
     private void make(BatchRun made) {
+        resultsKey = new Object();
         ControllerChoice driving = controller;
         stopped = false;
         setRunning(true);
@@ -311,7 +309,7 @@ final class BatchDialog extends RunsDialog {
 
     /** Runs an action that would lose unsaved results, after asking whether to save them. */
     void runIfResultsHandled(Leaving leaving, Runnable action) {
-        if (saved || leaving.isDiscarded(run)) {
+        if (saved || leaving.isDiscarded(resultsKey)) {
             action.run();
             return;
         }
@@ -321,14 +319,23 @@ final class BatchDialog extends RunsDialog {
         if (answer == 0) {
             saveResults(leaving::ask);
         } else if (answer == 1) {
-            leaving.discard(run);
+            leaving.discard(resultsKey);
             action.run();
         }
     }
 
     @Override
     void close() {
-        Leaving.begin(leaving -> runIfResultsHandled(leaving, this::disposeAndFocusOwner));
+        runIfResultsHandled(this::disposeAndFocusOwner);
+    }
+
+    private void runIfResultsHandled(Runnable action) {
+        Leaving.begin(leaving -> {
+            // The dialog may have been closed while the results were saved.
+            if (isDisplayable()) {
+                runIfResultsHandled(leaving, action);
+            }
+        });
     }
 
     private void discardRun() {

@@ -6,8 +6,9 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * The questions before the window is closed or another scenario is opened. They are asked again after a file has been
- * written, because the window can be used in that time. What the user has chosen to lose is not asked about twice.
+ * The questions before something is left that would lose unsaved work: the window, a scenario, or the results of a
+ * batch. They are asked again after a file has been written, because the window can be used in that time. A recording
+ * or results that the user has chosen to lose are not asked about twice.
  */
 public final class Leaving {
 

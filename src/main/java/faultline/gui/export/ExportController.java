@@ -241,8 +241,12 @@ public final class ExportController implements WorkspaceListener {
 
     private void saveRecording(RenderRequest request, Runnable then) {
         recording(request).ifPresent(recording -> {
+            Object saved = recordingKey;
             Runnable written = () -> {
-                recordGif.setOn(false);
+                // Another recording may have begun while this one was written.
+                if (recordingKey == saved) {
+                    recordGif.setOn(false);
+                }
                 then.run();
             };
             selectFile("exportGif", ".gif").ifPresent(file -> exports.start(file, recording, written, () -> {}));

@@ -8,6 +8,8 @@ import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.Palette;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * Paints the lines of a strip chart. If a bucket has several ticks, a band shows its least and greatest values and the
@@ -36,16 +38,72 @@ final class StripLines {
         shades = content.items().stream().filter(TimelineItem::isInterval).toList();
     }
 
+    /** Paints what is between the lines and the shades; before all lines, because it would cover their crossings. */
+    void paintHalos() {
+        if (!shades.isEmpty()) {
+            referenceData().ifPresent(data -> paintHalos(data, line -> LegendEntry.referenceStyle(theme)));
+            paintHalos(scale.data(), line -> line.style(theme));
+        }
+    }
+
+    private void paintHalos(StripData data, Function<ChartLine, LineStyle> styleOf) {
+        boolean[] shaded = shadedBuckets(data);
+        for (ChartLine line : scale.signal().lines()) {
+            LineStyle halo = LineStyle.solid(
+                    theme.palette().canvas(), styleOf.apply(line).width() + HALO_WIDTH);
+            data.valuesOf(line).ifPresent(values -> painter.paintLine(shadedPart(data, values, shaded), halo));
+        }
+    }
+
+    /** Returns which buckets have a shade, or one beside them. */
+    private boolean[] shadedBuckets(StripData data) {
+        int count = (int) Math.max(0, data.to() - data.from());
+        // How many shades begin in each bucket, less those that have ended in the one before.
+        int[] changes = new int[count + 1];
+        for (TimelineItem shade : shades) {
+            int first = (int) clamp(data.bucketOf(shade.start()) - 1 - data.from(), count);
+            int end = (int)
+                    clamp(data.bucketOf(Math.min(shade.end(), content.span().end())) + 2 - data.from(), count);
+            changes[first]++;
+            changes[end]--;
+        }
+        boolean[] shaded = new boolean[count];
+        int active = 0;
+        for (int i = 0; i < count; i++) {
+            active += changes[i];
+            shaded[i] = active > 0;
+        }
+        return shaded;
+    }
+
+    private static long clamp(long bucket, int count) {
+        return Math.max(0, Math.min(count, bucket));
+    }
+
+    private static List<Vector2> shadedPart(StripData data, StripData.LineValues values, boolean[] shaded) {
+        List<Vector2> part = new ArrayList<>();
+        for (long bucket = data.from(); bucket < data.to(); bucket++) {
+            part.add(
+                    shaded[(int) (bucket - data.from())]
+                            ? new Vector2(data.timeOf(bucket), (values.min(bucket) + values.max(bucket)) / 2)
+                            : GAP);
+        }
+        return part;
+    }
+
     void paint(ChartLine line) {
         paint(scale.data(), line, line.style(theme));
     }
 
     /** Paints the same lines of the reference run. */
     void paintReference() {
-        int width = (int) scale.plot().area().width();
-        content.referenceData(width)
+        referenceData()
                 .ifPresent(data ->
                         scale.signal().lines().forEach(line -> paint(data, line, LegendEntry.referenceStyle(theme))));
+    }
+
+    private Optional<StripData> referenceData() {
+        return content.referenceData((int) scale.plot().area().width());
     }
 
     private void paint(StripData data, ChartLine line, LineStyle style) {
@@ -69,20 +127,7 @@ final class StripLines {
             }
         }
         paintBand(upper, lower, style);
-        paintHalo(middle, style.width() + HALO_WIDTH, data.timeOf(1) - data.timeOf(0));
         painter.paintLine(middle, style);
-    }
-
-    /** Paints what is behind a line on shades, to the nearest of its points, which are some seconds apart. */
-    private void paintHalo(List<Vector2> line, double width, double step) {
-        List<Vector2> shaded = line.stream()
-                .map(at -> shades.stream().anyMatch(shade -> isNear(shade, at.x(), step)) ? at : GAP)
-                .toList();
-        painter.paintLine(shaded, LineStyle.solid(theme.palette().canvas(), width));
-    }
-
-    private static boolean isNear(TimelineItem shade, double time, double step) {
-        return shade.start() <= time + step && shade.end() >= time - step;
     }
 
     /** Paints a band without gaps, and empties its lists for the next one. */

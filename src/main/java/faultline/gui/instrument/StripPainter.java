@@ -77,6 +77,7 @@ final class StripPainter {
         painter.paintTicks(new TickStyle(mutedStyle, 0, 6, 15, " s"));
         surface.drawText(scale.signal().unit(), new Vector2(4, ribbonTop + RIBBON_BASELINE), mutedStyle);
         StripLines lines = new StripLines(painter, theme, scale, content);
+        lines.paintHalos();
         lines.paintReference();
         scale.signal().lines().forEach(lines::paint);
         paintEvents();

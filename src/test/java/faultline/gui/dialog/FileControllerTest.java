@@ -188,7 +188,7 @@ class FileControllerTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"office.xml, office.xml is open", "broken.xml, broken.xml is not open"})
+    @CsvSource({"office.xml, office.xml is open", "broken.xml, broken.xml was not opened"})
     void theFilesThatAreDroppedWithAnotherAreCounted(String first, String note) throws IOException {
         openCopy();
         Files.writeString(folder.resolve("broken.xml"), "<scenario");

@@ -36,6 +36,7 @@ import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.Color;
+import java.awt.EventQueue;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.ClipboardOwner;
 import java.awt.datatransfer.DataFlavor;
@@ -86,6 +87,8 @@ class ExportControllerTest {
     private List<UiAction> actions;
     /** The number of times that the choice of a file will be cancelled. */
     private int refusals;
+    /** What happens while the next file is written. */
+    private Runnable whileWriting = () -> {};
 
     private final List<Path> written = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
@@ -106,8 +109,11 @@ class ExportControllerTest {
                     canvas,
                     workspace,
                     canvas,
-                    (action, extension) ->
-                            refusals-- > 0 ? Optional.empty() : Optional.of(folder.resolve("out" + extension)),
+                    (action, extension) -> {
+                        // Before an export that begins now can end.
+                        EventQueue.invokeLater(whileWriting);
+                        return refusals-- > 0 ? Optional.empty() : Optional.of(folder.resolve("out" + extension));
+                    },
                     written::add,
                     new Notes(notes::add, notes::add, notes::add, removedNotes::add));
             actions = controller.actions();
@@ -340,6 +346,27 @@ class ExportControllerTest {
             }));
         });
         assertEquals(List.of("[discard]", "[discard]", "[discard, discard]"), left);
+    }
+
+    @Test
+    void aRecordingThatIsBegunWhileAnotherIsSavedIsAskedAbout() {
+        List<Optional<Boolean>> answers = new ArrayList<>(List.of(Optional.of(false), Optional.of(true)));
+        List<Boolean> left = new ArrayList<>();
+        runOnEdt(() -> {
+            controller.setDiscardQuestion(() -> answers.remove(0));
+            setRecording(true);
+        });
+        stepTo(STEPS + 6);
+        runOnEdt(() -> {
+            whileWriting = () -> {
+                controller.scenarioOpened();
+                setRecording(true);
+            };
+            leave(() -> left.add(action("record").isOn()));
+        });
+        Await.until("the end", () -> !left.isEmpty());
+        assertEquals(List.of(true), left, "the second recording is on until the scenario is left");
+        assertEquals(List.of(), answers);
     }
 
     /** The action can still be cancelled, or fail. */
