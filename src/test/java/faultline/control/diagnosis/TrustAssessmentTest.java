@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.SensorFinding;
 import faultline.control.diagnosis.TrustAssessment.TrustRecord;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class TrustAssessmentTest {
 
@@ -53,6 +55,70 @@ class TrustAssessmentTest {
         contradictItself(1, 3);
         contradictItself(2, 3);
         assertTrue(assessment.isTrusted(0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"6.99, true", "7.01, false"})
+    void onlyASensorContradictedInTheLastSixSecondsIsTrustedAgain(double time, boolean trusted) {
+        contradictFirst(1);
+        contradictItself(1, time);
+        contradictItself(2, time);
+        assertEquals(trusted, assessment.isTrusted(0));
+    }
+
+    @Test
+    void aSensorThatMissedNothingIsTriedAgainAsSoonAsAfterItsFirstFinding() {
+        assessment.distrust(0, SensorFinding.BLIND, 0);
+        assessment.restore(0, 1);
+        assessment.distrust(0, SensorFinding.STUCK, 1);
+        assessment.addConfirmation(0, 13);
+        assessment.assess(0, 3.99);
+        assertFalse(assessment.isTrusted(0));
+        assessment.assess(0, 4.01);
+        assertTrue(assessment.isTrusted(0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"14, true", "14.1, false"})
+    void aContradictionByAllTogetherCountsHalf(double weight, boolean trusted) {
+        assessment.addContradiction(0, 0, weight);
+        assessment.assess(0, 1);
+        assertEquals(trusted, assessment.isTrusted(0));
+    }
+
+    @Test
+    void ofSensorsAboveTheThresholdOnlyTheOneWithTheGreatestCountIsDistrusted() {
+        assessment.addContradiction(0, 0b0110, 10);
+        assessment.addContradiction(1, 0b1100, 10);
+        assessment.assess(0, 1);
+        assertTrue(assessment.isTrusted(0), "the second is contradicted by three");
+        assessment.assess(1, 1);
+        assertEquals(0b1101, assessment.trusted());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, CONTRADICTED", "11.9, CONTRADICTED", "12.1, INCONSISTENT"})
+    void theGreaterPartOfTheCountDecidesWhoContradictedIt(double byItself, SensorFinding expected) {
+        assessment.addContradiction(0, 0b0001, byItself);
+        assessment.addContradiction(0, 0b0110, 10);
+        assessment.assess(0, 1);
+        assertEquals(expected, assessment.finding(0));
+    }
+
+    @Test
+    void aSensorThatMissesASurfaceButIsContradictedMoreByOthersIsNotBlind() {
+        assessment.addMissedSurface(0, 1);
+        contradictFirst(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, true", "0.6, false"})
+    void aSensorThatOneOtherContradictsMayBeRightUnlessItContradictsItself(double byItself, boolean mayBeRight) {
+        assessment.addContradiction(0, 0b0001, byItself);
+        contradictFirst(1);
+        assertFalse(assessment.mayBeRight(0), "two others contradict it");
+        contradictItself(1, 2);
+        assertEquals(mayBeRight, assessment.mayBeRight(0));
     }
 
     private static void assertProbation(double seconds, double from, TrustRecord sensor) {
