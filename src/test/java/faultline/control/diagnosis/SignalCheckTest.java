@@ -275,6 +275,21 @@ class SignalCheckTest {
         assertEquals(SensorFinding.INTERMITTENT, run(2, 2000, 0.0005, 0, poles));
     }
 
+    @ParameterizedTest
+    @CsvSource({"0.06, NONE", "0.003, NOISY"})
+    void polesThatPassBetweenTwoReadingsAreNoGhosts(double rolled, SensorFinding expected) {
+        // At 0.2 m the cone is 6.9 cm wide.
+        double[] poles = {0.2, 0.15, 0.1, 0.05};
+        IntToDoubleFunction reading = i -> i > 0 && i % 50 == 0 ? poles[i / 50 - 1] : 0.3;
+        assertEquals(expected, run(2, 202, rolled, 0, reading));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.06, NONE", "0.003, NOISY"})
+    void closePolesThatPassBetweenTwoReadingsAreNoNoise(double rolled, SensorFinding expected) {
+        assertEquals(expected, run(2, 300, rolled, 0, i -> i % 3 == 2 ? 0.2 : 0.3));
+    }
+
     /** Returns readings that are smooth for a while, then step, scatter, stay the same or see nothing. */
     private static double[] changingReadings(SplittableRandom random, int count) {
         double[] readings = new double[count];
