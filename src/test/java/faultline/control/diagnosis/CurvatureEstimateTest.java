@@ -125,4 +125,24 @@ class CurvatureEstimateTest {
             assertEquals(0, estimate.curvature(), "two legs and a part of the third");
         }
     }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0.5", "1, 0.5", "2, 0"})
+    void oneSampleOfSevenMayDisagree(int wrong, double expected) {
+        for (int i = 0; i < 7; i++) {
+            drive(0.46, 0, i < wrong ? 0.2 : -0.5, 0);
+            estimate.update(0, Double.NaN, STEP, 0);
+        }
+        assertEquals(expected, estimate.curvature(), 0.02);
+    }
+
+    @Test
+    void legsOfLongStepsAreLonger() {
+        double step = 0.04;
+        for (int i = 0; i < 100; i++) {
+            double s = i * step;
+            estimate.update(0.25 - 0.5 * s * s / 2, 0, step, 0);
+        }
+        assertEquals(0.5, estimate.curvature(), 1e-3);
+    }
 }

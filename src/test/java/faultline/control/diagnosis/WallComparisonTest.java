@@ -111,6 +111,17 @@ class WallComparisonTest {
     }
 
     @Test
+    void theCorrectionRemainsAsLongAsThePathBends() {
+        drive(1.2, 0.15);
+        drive(1.2, 0.15);
+        for (int i = 0; i < 5; i++) {
+            double before = reckoning.heading();
+            drive(1.2, 0.15);
+            assertEquals(0.15, (reckoning.heading() - before) / 1.2, 0.03, "part " + i);
+        }
+    }
+
+    @Test
     void aStraightPathCorrectsNothing() {
         drive(3, 0);
         assertEquals(0, reckoning.heading());
