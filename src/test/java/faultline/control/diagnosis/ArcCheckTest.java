@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A sensor at the origin measures 0.4 m; the arc is 0.14 m long. */
@@ -67,17 +68,25 @@ class ArcCheckTest {
         assertEquals(0b0010, check.contradicting(sensor, 0, 5, ASKED));
     }
 
-    @Test
-    void theArcReachesTwoCentimetresBeyondTheCone() {
-        measure(0);
-        int column = EvidenceGrid.cellOf(READING * Math.cos(HALF) - 0.025 * Math.sin(HALF));
-        int row = EvidenceGrid.cellOf(READING * Math.sin(HALF) + 0.025 * Math.cos(HALF));
-        grid.markSector(
-                1, 0, 0, 1, 0, new ConeTable(new MountedCone(0, 0, 0, HALF, 1)), 0.5, 5, EvidenceGrid.RowParity.ALL);
+    @ParameterizedTest
+    @CsvSource({"0, 1", "0, -1", "1, 1", "1, -1", "2.5, 1", "2.5, -1", "-0.7, 1", "-0.7, -1", "-2, 1", "-2, -1"})
+    void theArcReachesTwoCentimetresBeyondTheCone(double axis, int side) {
+        measure(axis);
+        // All of the cone, and the margin on the other side only.
+        seeSector(axis);
+        seeSector(axis - side * 0.1);
+        double border = axis + side * HALF;
+        int column = EvidenceGrid.cellOf(READING * Math.cos(border) - side * 0.025 * Math.sin(border));
+        int row = EvidenceGrid.cellOf(READING * Math.sin(border) + side * 0.025 * Math.cos(border));
         assertEquals(0, grid.freeBy(column, row, 5, ASKED));
         assertEquals(ArcCheck.POSSIBLE, check.contradicting(sensor, 0, 5, ASKED));
-        seeFree(1, 0, 0, 5);
+        seeSector(axis + side * 0.1);
         assertEquals(0b0010, check.contradicting(sensor, 0, 5, ASKED));
+    }
+
+    private void seeSector(double axis) {
+        ConeTable table = new ConeTable(new MountedCone(0, 0, 0, HALF, 1));
+        grid.markSector(1, 0, 0, Math.cos(axis), Math.sin(axis), table, 0.5, 5, EvidenceGrid.RowParity.ALL);
     }
 
     @Test

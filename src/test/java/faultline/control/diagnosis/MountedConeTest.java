@@ -3,6 +3,11 @@ package faultline.control.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import faultline.control.WallSide;
+import faultline.geometry.Degrees;
+import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -54,5 +59,23 @@ class MountedConeTest {
     })
     void itLooksDiagonallyIfItsBorderIsBesideStraightAheadAndItIsNotSideways(double degrees, boolean diagonally) {
         assertEquals(diagonally, cone(Math.toRadians(degrees)).looksDiagonally());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1.25, 0.75", "2.5, 2", "0.5, 0"})
+    void itsRangeIsLimitedByTheDistanceFromTheCentre(double distance, double expected) {
+        // Wherever a sensor 0.5 m from the centre looks, it reaches no farther than 0.5 m more.
+        MountedCone cone = new MountedCone(-0.3, 0.4, 0, HALF, 2);
+        assertEquals(expected, cone.rangeWithin(distance), 1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"LEFT, 45, 45", "RIGHT, 45, -45", "RIGHT, -90, 90", "LEFT, 180, 180", "RIGHT, 180, 180"})
+    void theWallIsOnItsLeftOnEitherSide(WallSide side, double degrees, double bearing) {
+        SensorSpec sensor = RobotSpec.DEFAULT.sensors().get(0).withMountPosition(new Vector2(0.1, 0.05));
+        MountedCone cone = MountedCone.of(sensor.withBearing(Degrees.toRadians(degrees)), side);
+        assertEquals(Math.toRadians(bearing), cone.bearing(), 1e-12);
+        assertEquals(0.1, cone.x());
+        assertEquals(side == WallSide.LEFT ? 0.05 : -0.05, cone.y());
     }
 }

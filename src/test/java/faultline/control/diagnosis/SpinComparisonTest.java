@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.SensorFinding;
 import faultline.control.WallSide;
 import faultline.geometry.Angles;
 import faultline.robot.MotorSpec;
@@ -26,8 +27,8 @@ class SpinComparisonTest {
     private final InspectedSensor[] sensors = IntStream.range(0, 8)
             .mapToObj(i -> new InspectedSensor(i, MountedCone.of(ROBOT.sensors().get(i), WallSide.LEFT)))
             .toArray(InspectedSensor[]::new);
-    private final SpinComparison comparison =
-            new SpinComparison(sensors, reckoning, new TrustAssessment(sensors.length));
+    private final TrustAssessment assessment = new TrustAssessment(sensors.length);
+    private final SpinComparison comparison = new SpinComparison(sensors, reckoning, assessment);
     private final MotionAccumulator motion = new MotionAccumulator();
     private final double[] errors = new double[8];
 
@@ -48,14 +49,18 @@ class SpinComparisonTest {
         for (int i = 0; i < ticks; i++) {
             reckoning.advance(ROBOT, leftVolts, rightVolts, DT, 1);
             motion.advance(reckoning.rolled(), reckoning.turned(), DT);
-            double[] readings = new double[8];
-            for (InspectedSensor sensor : sensors) {
-                readings[sensor.index()] = errors[sensor.index()]
-                        + Math.min(reading(sensor.cone(), Math.PI / 2), reading(sensor.cone(), footAhead));
-            }
-            ended |= comparison.isDue(motion) && comparison.update(readings);
+            ended |= comparison.isDue(motion) && comparison.update(readings(footAhead));
         }
         return ended;
+    }
+
+    private double[] readings(double footAhead) {
+        double[] readings = new double[8];
+        for (InspectedSensor sensor : sensors) {
+            readings[sensor.index()] = errors[sensor.index()]
+                    + Math.min(reading(sensor.cone(), Math.PI / 2), reading(sensor.cone(), footAhead));
+        }
+        return readings;
     }
 
     /** Spins right by 120 degrees, and returns what is wrong. */
@@ -126,5 +131,27 @@ class SpinComparisonTest {
         drive(-0.942, 0.942, 200, 0);
         drive(3, 3, 10, 0);
         assertEquals(SpinComparison.NONE, comparison.wrongAhead());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"10, 0", "11, -1"})
+    void onlySensorsWithEqualConesAreCompared(double half, int wrong) {
+        MountedCone cone = sensors[FRONT].cone();
+        sensors[FRONT].refit(new MountedCone(cone.x(), cone.y(), cone.bearing(), Math.toRadians(half), cone.range()));
+        errors[FRONT] = 0.05;
+        assertEquals(wrong, spin(0));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aSpinIsNotComparedIfASensorIsNotTrusted(boolean trusted) {
+        if (!trusted) {
+            assessment.distrust(7, SensorFinding.STUCK, 0);
+        }
+        errors[FRONT] = 0.05;
+        drive(0.942, -0.942, 200, 0);
+        reckoning.advance(ROBOT, 3, 3, DT, 10);
+        comparison.run(readings(0), 0);
+        assertEquals(trusted, assessment.evidence(FRONT) > 1);
     }
 }
