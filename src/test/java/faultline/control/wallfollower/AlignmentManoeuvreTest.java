@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.FollowerState;
+import faultline.control.Odometer;
 import faultline.control.Telemetry;
+import faultline.control.Threshold;
 import faultline.control.TimingRule;
 import faultline.geometry.Degrees;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -83,5 +87,44 @@ class AlignmentManoeuvreTest {
                 .runUntil(FollowerState.FOLLOW);
         assertEquals(0, beside.headingDegrees(), 1.3);
         assertEquals(0.35, beside.distance(), 0.06);
+    }
+
+    /** Begins a manoeuvre after a search in which the left sensor sees a wall. */
+    private static AlignmentManoeuvre beginBeside(StateEstimate estimate, double reading) {
+        estimate.update(Observations.observation(0, Map.of("left", reading)));
+        AlignmentManoeuvre alignment =
+                new AlignmentManoeuvre(estimate, TimingRule.EQUAL_READINGS, SpinClock.TURNED_ANGLE);
+        alignment.begin(true);
+        return alignment;
+    }
+
+    @Test
+    void aWallThatStaysAsFarIsBackedOffFromByAQuarterTurn() {
+        StateEstimate estimate = new StateEstimate(WallFollowing.DEFAULT, new Odometer());
+        AlignmentManoeuvre alignment = beginBeside(estimate, 0.25);
+        for (int tick = 1; tick < 1000 && alignment.nextTurnRate() > 0; tick++) {
+            Observations.drive(estimate, new Velocity(0, Math.toRadians(TURN_RATE)));
+            estimate.update(Observations.observation(tick, Map.of("left", 0.25)));
+        }
+        assertEquals(90, Math.toDegrees(estimate.odometer().heading()), 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0.25, 0, 0.149, true",
+        "0.25, 0, 0.151, false",
+        "0.25, 0.1, 0.249, true",
+        "0.25, 0.1, 0.251, false",
+        "0.25, -0.1, 0.149, true",
+        "0.25, -0.1, 0.151, false",
+        // 16 % of the distance from the centre, which is 1.6 m.
+        "1.5, 0, 0.255, true",
+        "1.5, 0, 0.257, false"
+    })
+    void onlyTheWallThatWasMetIsBackedOffFrom(double wanted, double aheadMargin, double excess, boolean isThatWall) {
+        WallFollowing follower =
+                WallFollowing.DEFAULT.withDistance(wanted).withThreshold(Threshold.AHEAD_MARGIN, aheadMargin);
+        AlignmentManoeuvre alignment = beginBeside(new StateEstimate(follower, new Odometer()), wanted + excess);
+        assertEquals(isThatWall, alignment.nextTurnRate() > 0);
     }
 }
