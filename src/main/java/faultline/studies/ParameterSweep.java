@@ -39,6 +39,7 @@ record ParameterSweep(
             rule, %d by equal readings), all other quantities at their defaults. Positive: turned towards the wall. \
             Lines: the closed form; shaded: half of what the robot turns in a control period T, since the exact rule \
             sees each edge up to T late.""";
+    private static final String MISSING = " In %d more trials there was no such hand-over.";
 
     /** Creates the trial at a value of the quantity from a trial with all quantities at their defaults. */
     interface TrialFactory {
@@ -125,13 +126,13 @@ record ParameterSweep(
                 Axis.covering(label, values.stream().mapToDouble(value -> value)),
                 Axis.covering("heading error (degrees)", errors),
                 series);
-        folder.writeChart(
-                name,
-                createTable(points),
-                chart,
-                WIDTH,
-                HEIGHT,
-                String.format(Locale.ROOT, CAPTION, exact.size(), equal.size()));
+        folder.writeChart(name, createTable(points), chart, WIDTH, HEIGHT, caption(exact.size(), equal.size()));
+    }
+
+    private String caption(int exact, int equal) {
+        String caption = String.format(Locale.ROOT, CAPTION, exact, equal);
+        int missing = TimingRule.values().length * values.size() * variants - exact - equal;
+        return missing == 0 ? caption : caption + String.format(Locale.ROOT, MISSING, missing);
     }
 
     /** Returns the theory at each value: the mean over its trials. */

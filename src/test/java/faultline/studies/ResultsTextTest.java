@@ -15,10 +15,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -53,6 +55,27 @@ class ResultsTextTest {
         }
         assertEquals(List.of(), wrong);
         assertEquals(EquationFour.sweeps().size(), rows);
+    }
+
+    /** The trials without a hand-over have no row in the table. */
+    @Test
+    void everyCaptionOfEquationFourCountsAllTrials() throws IOException {
+        for (ParameterSweep sweep : EquationFour.sweeps()) {
+            String words = Files.readString(Path.of("docs/results/" + sweep.name() + ".svg"))
+                    .replaceAll("<[^>]*>", " ")
+                    .replaceAll("[\\s\u00a0]+", " ");
+            List<MatchResult> counts = Pattern.compile(
+                            "n = (\\d+) by the exact rule, (\\d+) by equal|In (\\d+) more trials")
+                    .matcher(words)
+                    .results()
+                    .toList();
+            int sum = counts.stream()
+                    .flatMap(count -> IntStream.rangeClosed(1, 3).mapToObj(count::group))
+                    .filter(Objects::nonNull)
+                    .mapToInt(Integer::parseInt)
+                    .sum();
+            assertEquals(2 * sweep.values().size() * sweep.variants(), sum, sweep.name());
+        }
     }
 
     /** Both ends of the range are named, to the decimals that are given; where they are alike, once. */
