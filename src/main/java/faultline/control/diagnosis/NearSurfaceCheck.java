@@ -52,7 +52,7 @@ final class NearSurfaceCheck {
             return Reading.NOTHING;
         }
         for (int i = 1; i < MEASUREMENTS; i++) {
-            if (measurements.reading(i) < 0 || Math.abs(measurements.reading(i) - measurements.reading(i - 1)) > STEP) {
+            if (Math.abs(measurements.reading(i) - measurements.reading(i - 1)) > STEP) {
                 return Reading.NOTHING;
             }
         }
