@@ -130,6 +130,7 @@ class RunningExportsTest {
                 List.of(QUESTION, QUESTION.replace("out.csv", "out.csv, next.csv")),
                 questions,
                 "a question, none, and another one");
+        Await.until("both ends", () -> written.size() == 2);
     }
 
     @Test
