@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -22,6 +23,11 @@ final class FactorReader {
 
     /** The maximum number of sensors of which all combinations are tried. */
     private static final int MAX_MASKED = 16;
+
+    /** The attributes of the root element that every run has of its own, by what to do instead. */
+    private static final Map<String, String> OWN_OF_RUNS = Map.of(
+            "seed", "another attribute; <seeds> gives the runs their seeds",
+            "name", "another attribute; every run is named after its number");
 
     private final Problems problems;
 
@@ -69,6 +75,9 @@ final class FactorReader {
         if (path.isEmpty() && fields.isValid("attribute", text)) {
             fields.report("attribute", text, Allowed.UNTRANSLATED.with(AttributePath.RULE));
         }
+        path.filter(found -> found.steps().isEmpty())
+                .map(found -> OWN_OF_RUNS.get(found.attribute()))
+                .ifPresent(rule -> fields.report("attribute", text, Allowed.UNTRANSLATED.with(rule)));
         return path;
     }
 

@@ -39,6 +39,9 @@ class PlanReaderTest {
             <faults><fault sensor="front" kind="stuck" value="0-0.8" at="1"/></faults> | plan.xml:3:66: value of <fault> is "0-0.8"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
             <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped"; expected x, y, heading, length, width, track, trackScale, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
             <set attribute="robot/speed" value="5"/> | plan.xml:3:41: attribute of <set> is "robot/speed"; expected a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration
+            <set attribute="@seed" value="5 6" name="s"/> | plan.xml:3:46: attribute of <set> is "@seed"; expected another attribute; <seeds> gives the runs their seeds
+            <set attribute="scenario/@name" value="Mine"/> | plan.xml:3:47: attribute of <set> is "scenario/@name"; expected another attribute; every run is named after its number
+            <variants><variant name="a"><set attribute="@seed" value="7"/></variant></variants> | plan.xml:3:63: attribute of <set> is "@seed"; expected another attribute; <seeds> gives the runs their seeds
             <set attribute="world/circle[pale]/@x" value="1"/> | plan.xml:3:51: attribute of <set> is "world/circle[pale]/@x", but <world> has no circle[pale]; did you mean "pole"? (in room)
             <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
             <set attribute="robot/@speed" value="0.1..1e999/3"/> | plan.xml:3:53: speed of <robot> is "1e999"; expected a number more than 0 and at most 1000 metres per second (in room)
