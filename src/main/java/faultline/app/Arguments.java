@@ -26,7 +26,9 @@ final class Arguments {
     private static final char REPLACEMENT = '\uFFFD';
 
     private final List<String> files = new ArrayList<>();
-    private final Map<String, String> options = new LinkedHashMap<>();
+    private final Map<String, List<String>> options = new LinkedHashMap<>();
+    /** The options that may be given several times. */
+    private final List<String> repeatable;
 
     /** Parses the arguments of a command with options that take a value. */
     Arguments(List<String> arguments, List<String> known) throws UsageException {
@@ -35,6 +37,13 @@ final class Arguments {
 
     /** Parses the arguments of a command that also takes flags, which are options without a value. */
     Arguments(List<String> arguments, List<String> known, List<String> knownFlags) throws UsageException {
+        this(arguments, known, knownFlags, List.of());
+    }
+
+    /** Parses the arguments of a command with flags and with options that may be given several times. */
+    Arguments(List<String> arguments, List<String> known, List<String> knownFlags, List<String> repeatable)
+            throws UsageException {
+        this.repeatable = repeatable;
         List<String> all = new ArrayList<>(known);
         all.addAll(knownFlags);
         int next = 0;
@@ -48,32 +57,18 @@ final class Arguments {
             requireKnown(parts[0], all);
             if (knownFlags.contains(parts[0])) {
                 requireNoValue(parts);
-                options.put(parts[0], "");
+                add(parts[0], "");
                 continue;
             }
             if (parts.length == 1) {
                 requireValue(parts[0], arguments, next);
             }
-            options.put(parts[0], parts.length == 2 ? parts[1] : arguments.get(next++));
+            add(parts[0], parts.length == 2 ? parts[1] : arguments.get(next++));
         }
     }
 
-    /** Returns the values of an option that may be given several times, and the other arguments. */
-    static Map.Entry<List<String>, List<String>> takeAll(String option, List<String> arguments) throws UsageException {
-        List<String> values = new ArrayList<>();
-        List<String> others = new ArrayList<>();
-        for (int i = 0; i < arguments.size(); i++) {
-            String argument = arguments.get(i);
-            if (argument.startsWith(option + "=")) {
-                values.add(argument.substring(option.length() + 1));
-            } else if (!argument.equals(option)) {
-                others.add(argument);
-            } else {
-                requireValue(option, arguments, ++i);
-                values.add(arguments.get(i));
-            }
-        }
-        return Map.entry(values, others);
+    private void add(String option, String value) {
+        options.computeIfAbsent(option, first -> new ArrayList<>()).add(value);
     }
 
     private void requireKnown(String option, List<String> known) throws UsageException {
@@ -81,7 +76,7 @@ final class Arguments {
             throw new UsageException("there is no option " + MessageText.quoted(option) + " here; expected "
                     + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known));
         }
-        if (options.containsKey(option)) {
+        if (options.containsKey(option) && !repeatable.contains(option)) {
             throw new UsageException(option + " is given twice");
         }
     }
@@ -128,7 +123,12 @@ final class Arguments {
 
     /** Returns the value of an option, or empty if it is not given. */
     Optional<String> value(String option) {
-        return Optional.ofNullable(options.get(option));
+        return values(option).stream().findFirst();
+    }
+
+    /** Returns the values of an option in their order; none if it is not given. */
+    List<String> values(String option) {
+        return options.getOrDefault(option, List.of());
     }
 
     /** Returns the value of an option as a whole number between two others, or empty if it is not given. */

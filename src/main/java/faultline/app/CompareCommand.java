@@ -64,12 +64,11 @@ final class CompareCommand {
     }
 
     int run(List<String> given) throws UsageException, ScenarioException, IOException {
-        Map.Entry<List<String>, List<String>> split = Arguments.takeAll("--controller", given);
+        Arguments arguments = new Arguments(given, OPTION_NAMES, FLAG_NAMES, List.of("--controller"));
         List<ControllerChoice> choices = new ArrayList<>();
-        for (String text : split.getKey()) {
+        for (String text : arguments.values("--controller")) {
             choices.add(ControllerOptions.choice(text));
         }
-        Arguments arguments = new Arguments(split.getValue(), OPTION_NAMES, FLAG_NAMES);
         ControllerOptions options = ControllerOptions.parse(arguments, !choices.isEmpty());
         ControllerJars.use(options.jars());
         Path file = arguments.singleFile("compare");

@@ -456,6 +456,7 @@ class CompareCommandTest {
             --controller none --controller wall-follower --seeds 0 | --seeds is "0"; expected a whole number from 1 to 10000
             --controller none --controller                   | --controller needs a value
             --controller none --controller x --sead 3        | there is no option "--sead" here
+            --controller none --until --controller wall-follower | --until needs a value, and "--controller" is an option
             """)
     void badUsageIsOneSentence(String arguments, String sentence) {
         CommandResult result = compare(arguments.split(" "));
