@@ -374,6 +374,26 @@ class CompareCommandTest {
         assertTrue(Files.readString(page()).contains("Broken runs"));
     }
 
+    /** A program may be built again, or its start may need memory that there is not, while others have finished. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void aProgramThatCannotBeStartedForALaterSeedFailsInThatRunOnly() throws Exception {
+        Path program = folder.resolve("once.sh");
+        String script = STRAIGHT.substring("sh -c '".length(), STRAIGHT.length() - 1);
+        Files.writeString(program, "#!/bin/sh\nrm \"$0\"\n" + script + "\n");
+        assertTrue(program.toFile().setExecutable(true));
+        CommandResult result =
+                compare("--controller", "none", "--controller", "" + program, "--until", "1", "--seeds", "2");
+        assertEquals(3, result.code, result.err);
+        assertTrue(result.err.contains("cannot be started: there is no such program"), result.err);
+        assertEquals(5, table().size(), "a row for each run");
+        assertTrue(Files.readString(page()).contains("Broken runs"));
+        assertTrue(Files.exists(folder.resolve("page-2.xml")), "the first run of the program was finished");
+        Files.delete(page());
+        assertEquals(2, compare("--controller", "none", "--controller", "" + program, "--until", "1").code);
+        assertTrue(Files.notExists(page()), "a name that is wrong from the start is no run");
+    }
+
     @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
     void aReplayOfAnEarlierComparisonIsNotLeftBesideOneWithoutIt() throws Exception {
