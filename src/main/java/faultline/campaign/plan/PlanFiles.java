@@ -29,7 +29,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     private static final int HEAD = 8192;
 
     /** The plan's name in a folder that holds a copy of all files. */
-    private static final String COPY = "plan.xml";
+    public static final String COPY = "plan.xml";
 
     /** Gets the bytes of a scenario by its number in the plan, from 1, and its name there. */
     interface Resolver {

@@ -1,6 +1,7 @@
 package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.PlannedRun;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
@@ -10,6 +11,7 @@ import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.metrics.WallCircuits;
+import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.ScenarioException;
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -57,7 +59,7 @@ final class RunMaker {
             String row = ResultColumns.row(run, result, carry, diagnosis);
             return new MadeRun(index, row, false, result.ticks(), secondsSince(start));
         } catch (ScenarioException e) {
-            return broken(run, e.problems().get(0).toString(), start);
+            return broken(run, describe(e.problems().get(0)), start);
         } catch (CancellationException e) {
             throw e;
         } catch (RuntimeException e) {
@@ -66,6 +68,11 @@ final class RunMaker {
             }
             return broken(run, String.valueOf(e.getMessage()), start);
         }
+    }
+
+    /** Names the plan as in its copy, so that a row does not depend on the path under which the plan was read. */
+    private static String describe(Problem problem) {
+        return new Problem(PlanFiles.COPY, problem.location(), problem.message()).toString();
     }
 
     private static MadeRun broken(PlannedRun run, String why, long start) {

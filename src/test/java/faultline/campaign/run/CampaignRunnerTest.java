@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.Scenario;
 import java.io.IOException;
@@ -226,6 +227,32 @@ class CampaignRunnerTest {
         assertTrue(rows.get(2).contains(",broken,"), rows.get(2));
         assertTrue(rows.get(2).contains("where it touches or overlaps"), rows.get(2));
         assertEquals(result, merged(folder));
+    }
+
+    /** Parts of a campaign may be made in several folders, whose names may be as long as a cell. */
+    @Test
+    void theReasonOfABrokenRunDoesNotDependOnThePathOfThePlan() throws Exception {
+        String plan = SamplePlan.text(
+                "",
+                """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="world/circle[pole]/@x" value="0.6 2"/>
+                <set attribute="world/circle[pole]/@y" value="0.5 1.2"/>
+                """);
+        List<String> tables = new ArrayList<>();
+        for (String name : List.of("study.xml", "folder/".repeat(30) + "study.xml")) {
+            Path file = folder.resolve(name);
+            Files.createDirectories(file.getParent());
+            Files.writeString(file, plan);
+            Files.writeString(file.resolveSibling("room.xml"), SamplePlan.ROOM);
+            Path out = folder.resolve("out-" + tables.size());
+            new CampaignRunner(PlanFiles.read(file), new CampaignFolder(out), Shard.ALL, 2)
+                    .run(false, (made, runs) -> {}, () -> false);
+            tables.add(Files.readString(out.resolve("runs.csv")));
+        }
+        assertEquals(tables.get(0), tables.get(1));
+        assertTrue(tables.get(0).contains("\"plan.xml:"), tables.get(0));
+        assertTrue(tables.get(0).contains("where it touches or overlaps"), tables.get(0));
     }
 
     /** The verdict of the second run would need the places of a circle of 100 km. */
