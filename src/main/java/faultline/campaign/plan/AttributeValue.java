@@ -15,8 +15,8 @@ sealed interface AttributeValue {
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
     String text(UniformSource numbers, long block);
 
-    /** Returns the ranges from which it is drawn; none if it is the same in every run. */
-    List<DrawRange> ranges();
+    /** Returns what is drawn for it; nothing if it is the same in every run. */
+    List<DrawnValue> draws();
 
     /** A text that is the same in every run. */
     record FixedValue(String text) implements AttributeValue {
@@ -26,7 +26,7 @@ sealed interface AttributeValue {
         }
 
         @Override
-        public List<DrawRange> ranges() {
+        public List<DrawnValue> draws() {
             return List.of();
         }
     }
@@ -39,8 +39,8 @@ sealed interface AttributeValue {
         }
 
         @Override
-        public List<DrawRange> ranges() {
-            return List.of(range);
+        public List<DrawnValue> draws() {
+            return List.of(this);
         }
     }
 
@@ -57,8 +57,8 @@ sealed interface AttributeValue {
         }
 
         @Override
-        public List<DrawRange> ranges() {
-            return Stream.concat(first.ranges().stream(), second.ranges().stream())
+        public List<DrawnValue> draws() {
+            return Stream.concat(first.draws().stream(), second.draws().stream())
                     .toList();
         }
     }

@@ -53,10 +53,11 @@ final class ControllerTypes {
     }
 
     private static Stream<String> texts(AttributeValue value) {
-        return value.ranges().isEmpty()
+        return value.draws().isEmpty()
                 ? Stream.of(value.text((stream, block) -> 0, 0))
-                : value.ranges().stream()
-                        .flatMap(range ->
-                                range instanceof DrawRange.Words choice ? choice.words().stream() : Stream.of());
+                : value.draws().stream()
+                        .flatMap(drawn -> drawn.range() instanceof DrawRange.Words choice
+                                ? choice.words().stream()
+                                : Stream.of());
     }
 }

@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -213,6 +214,35 @@ class PlanReaderTest {
         problems = SamplePlan.problems(
                 "<set attribute=\"controller/@timing\" value=\"any of range nonsense equal-readings\"/>");
         assertEquals(1, problems.size(), problems::toString);
+    }
+
+    /** Each end is good beside the same end of the other range. */
+    @Test
+    void everyCombinationOfTheEndsOfALevelIsTried() {
+        String until = "plan.xml:3:68: until of <fault> is 1.5; expected a time after at, which is 2 (in room)";
+        assertEquals(
+                List.of(until),
+                SamplePlan.problems("<faults><fault kind='off' sensor='front' at='1..2' until='1.5..3'/></faults>"));
+        assertEquals(
+                List.of(),
+                SamplePlan.problems("<faults><fault kind='off' sensor='front' at='1..2' until='2.1..3'/></faults>"));
+        List<String> problems = SamplePlan.problems(
+                "<faults><fault kind='any of dropout stuck' sensor='front' at='1' value='0.2..1.2'/></faults>");
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("value of <fault> is \"1.2\""), problems.get(0));
+        // There are too many combinations of these words to try each.
+        problems = SamplePlan.problems("<faults><fault kind='off' sensor='front' at='" + fortyWords(1) + "' until='"
+                + fortyWords(1.2) + "'/></faults>");
+        assertTrue(
+                problems.contains("plan.xml:3:" + problems.get(0).split(":")[2]
+                        + ": until of <fault> is 1.2; expected a time after at, which is 1.39 (in room)"),
+                problems::toString);
+    }
+
+    private static String fortyWords(double first) {
+        return IntStream.range(0, 40)
+                .mapToObj(i -> String.format(Locale.ROOT, "%.2f", first + i / 100.0))
+                .collect(Collectors.joining(" ", "any of ", ""));
     }
 
     @Test

@@ -1,0 +1,86 @@
+package faultline.campaign.plan;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+
+/** The draws with which some changes of a scenario are tried: those that give the ends of intervals, and all words. */
+final class DrawTrials {
+
+    /** The number of combinations of draws beyond which only those are tried in which all draws but one are alike. */
+    private static final int MAX_COMBINATIONS = 1000;
+
+    private static final double LOW = 0;
+    private static final double HIGH = Math.nextDown(1.0);
+
+    /** The draws of each stream. */
+    private final Map<String, Set<Double>> streams = new LinkedHashMap<>();
+
+    DrawTrials(List<ScenarioChange> edits) {
+        edits.stream()
+                .flatMap(edit -> edit.values().stream())
+                .flatMap(value -> value.draws().stream())
+                .forEach(value -> streams.computeIfAbsent(value.stream(), first -> new TreeSet<>())
+                        .addAll(draws(value.range())));
+    }
+
+    private static List<Double> draws(DrawRange range) {
+        if (range instanceof DrawRange.Words choice) {
+            double count = choice.words().size();
+            return IntStream.range(0, choice.words().size())
+                    .mapToObj(i -> (i + 0.5) / count)
+                    .toList();
+        }
+        return List.of(LOW, HIGH);
+    }
+
+    /** Returns trials with the same draw for everything; one trial if nothing is drawn. */
+    List<AttributeValue.UniformSource> alike() {
+        Set<Double> draws = new TreeSet<>(Set.of(LOW));
+        streams.values().forEach(draws::addAll);
+        return draws.stream()
+                .<AttributeValue.UniformSource>map(draw -> (stream, block) -> draw)
+                .toList();
+    }
+
+    /** Returns trials with each combination of draws, or with each draw if there are too many. */
+    List<AttributeValue.UniformSource> mixed() {
+        double combinations = streams.values().stream().mapToDouble(Set::size).reduce(1, (a, b) -> a * b);
+        if (streams.size() < 2) {
+            return List.of();
+        }
+        return combinations > MAX_COMBINATIONS ? oneByOne() : combinations();
+    }
+
+    private List<AttributeValue.UniformSource> oneByOne() {
+        List<AttributeValue.UniformSource> trials = new ArrayList<>();
+        streams.forEach((chosen, draws) -> draws.forEach(draw -> {
+            for (double other : List.of(LOW, HIGH)) {
+                trials.add((stream, block) -> stream.equals(chosen) ? draw : other);
+            }
+        }));
+        return trials;
+    }
+
+    private List<AttributeValue.UniformSource> combinations() {
+        List<Map<String, Double>> trials = List.of(Map.of());
+        for (Map.Entry<String, Set<Double>> stream : streams.entrySet()) {
+            List<Map<String, Double>> longer = new ArrayList<>();
+            for (Map<String, Double> trial : trials) {
+                for (double draw : stream.getValue()) {
+                    Map<String, Double> next = new LinkedHashMap<>(trial);
+                    next.put(stream.getKey(), draw);
+                    longer.add(next);
+                }
+            }
+            trials = longer;
+        }
+        return trials.stream()
+                .<AttributeValue.UniformSource>map(trial -> (stream, block) -> trial.get(stream))
+                .toList();
+    }
+}
