@@ -4,6 +4,7 @@ import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -112,7 +113,8 @@ final class FaultsReader {
 
     private static List<AttributeValue> readValues(AttributeReader fields, String key, String text, String factor) {
         if (key.equals(LABEL)) {
-            return List.of(new AttributeValue.FixedValue(text));
+            String label = fields.text(LABEL, ScenarioLimits.MAX_NAME_LENGTH).orElse("");
+            return List.of(new AttributeValue.FixedValue(label));
         }
         boolean isIds = key.equals("sensor");
         String stream = factor + "_" + key;

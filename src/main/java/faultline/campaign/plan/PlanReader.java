@@ -5,6 +5,7 @@ import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.util.ArrayList;
@@ -82,7 +83,7 @@ final class PlanReader {
     private PlanHeader readHeader(XmlElement root) {
         AttributeReader fields = new AttributeReader(root, problems);
         PlanHeader header = new PlanHeader(
-                fields.text("name").orElse(""),
+                fields.text("name", ScenarioLimits.MAX_NAME_LENGTH).orElse(""),
                 root.firstChild("description")
                         .map(node -> ElementRules.readText(node, problems).strip())
                         .orElse(""),

@@ -9,6 +9,7 @@ import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.util.ArrayList;
@@ -84,7 +85,7 @@ final class WorldsReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         String file = fields.id("file");
-        String label = fields.text("name").orElse(stem(file));
+        String label = fields.text("name", ScenarioLimits.MAX_NAME_LENGTH).orElse(stem(file));
         fields.reportUnknownAndMissing();
         if (!fields.isValid("file", file)) {
             return Optional.empty();

@@ -3,8 +3,10 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlannedRun;
 import faultline.engine.metrics.Expectation;
+import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 
 /** Makes the scenario that replays a run of a campaign, with the same duration and trajectory hash. */
 public final class ReplayScenario {
@@ -43,6 +45,8 @@ public final class ReplayScenario {
                         .append(run.cells().get(i));
             }
         }
-        return text + "; outcome " + outcome.word();
+        String end = "; outcome " + outcome.word();
+        int longest = ScenarioLimits.MAX_DESCRIPTION_LENGTH - end.length();
+        return (text.length() > longest ? MessageText.start(text.toString(), longest - 3) + "..." : text) + end;
     }
 }

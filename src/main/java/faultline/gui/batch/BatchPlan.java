@@ -6,9 +6,11 @@ import faultline.campaign.plan.ValueSyntax;
 import faultline.io.AtomicFile;
 import faultline.io.AtomicFileGroup;
 import faultline.io.DecimalText;
+import faultline.io.MessageText;
 import faultline.io.XmlText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -79,7 +81,8 @@ record BatchPlan(
     String text(String scenarioFile) {
         StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
         String name = scenario.name().isEmpty() ? "Batch" : "Batch of " + scenario.name();
-        out.append("<campaign xmlns=\"urn:faultline:campaign:1\"" + attribute("name", name)
+        String limited = MessageText.start(name, ScenarioLimits.MAX_NAME_LENGTH);
+        out.append("<campaign xmlns=\"urn:faultline:campaign:1\"" + attribute("name", limited)
                 + (untilVerdict ? " end=\"verdict\"" : "") + ">\n");
         out.append("  <worlds>\n    <scenario" + attribute("file", scenarioFile) + attribute("name", worldName())
                 + "/>\n  </worlds>\n");

@@ -270,6 +270,25 @@ class PlanReaderTest {
                         """));
     }
 
+    /** The name of each replay and a cell of each row has them. */
+    @Test
+    void namesThatAreTooLongAreRefused() throws ScenarioException {
+        String longest = "n".repeat(10_000);
+        String elements = "<worlds><scenario file=\"room.xml\" name=\"%1$s\"/></worlds>"
+                + "<faults><fault kind=\"off\" sensor=\"front\" at=\"1\" label=\"%1$s\"/></faults>";
+        String plan = SamplePlan.text("", String.format(elements, longest)).replace("Test", longest);
+        SamplePlan.read(plan);
+        ScenarioException refusal =
+                assertThrows(ScenarioException.class, () -> SamplePlan.read(plan.replace(longest, longest + "n")));
+        assertEquals(
+                List.of("name of <campaign>", "name of <scenario>", "label of <fault>"),
+                refusal.problems().stream()
+                        .map(problem -> problem.message().toString())
+                        .peek(text -> assertTrue(text.endsWith("..\"; expected at most 10000 characters"), text))
+                        .map(text -> text.substring(0, text.indexOf(" is ")))
+                        .toList());
+    }
+
     @Test
     void aWorldWithoutAValidFileIsReportedOnce() {
         String plan = SamplePlan.text("", "<worlds><scenario file=\"a,b.xml\"/></worlds>");

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.JavaProcess;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
+import faultline.campaign.plan.PlanHeader;
 import faultline.campaign.report.CampaignCell;
 import faultline.campaign.report.Interval;
 import faultline.campaign.report.Survival;
@@ -93,6 +94,17 @@ class BatchRunTest {
                 runsOf(PlanFiles.read(folder.resolve("results/plan/plan.xml")), folder.resolve("fromCopy")),
                 "the copy of the plan beside the results can be run too");
         run.delete();
+    }
+
+    /** The name of the plan begins with more words, and is as long as that of a scenario at most. */
+    @Test
+    void aScenarioMayHaveTheLongestName() throws Exception {
+        Scenario yard = editedYard().withName("y".repeat(10_000));
+        new BatchPlan(yard, 31, 1, 1, false, DiagnosisChoice.OFF, false, FAULTS, "0.5", List.of("left"))
+                .save(folder.resolve("study.xml"));
+        PlanHeader header = PlanFiles.read(folder.resolve("study.xml")).header();
+        assertEquals(10_000, header.name().length());
+        assertTrue(header.name().startsWith("Batch of yy"), header.name().substring(0, 20));
     }
 
     /** Ids of scenarios may have blanks, dots and all that is not a double quote. */
