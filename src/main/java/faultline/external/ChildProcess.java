@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.io.MessageText;
 import faultline.io.ShutdownHooks;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -39,7 +40,12 @@ final class ChildProcess implements AutoCloseable {
     private static final long WRITE_CHECK_PERIOD = 200_000_000;
 
     private static final int KEPT_LINES = 20;
+    /** The length of a kept line, characters. */
     private static final int MAX_KEPT_LENGTH = 400;
+
+    /** The length of a line that is shown, characters. */
+    private static final int MAX_SHOWN_LENGTH = 10_000;
+
     private static final long GRACE_SECONDS = 2;
 
     private final Process process;
@@ -71,7 +77,8 @@ final class ChildProcess implements AutoCloseable {
      *
      * @param command the program and its arguments
      * @param writeSeconds the time for which a write may block before the child is ended
-     * @param errors the consumer of each line of the child's standard error, called on a separate thread
+     * @param errors the consumer of each line of the child's standard error, which is cut if it is very long, called on
+     *     a separate thread
      * @throws IOException if it cannot be started
      */
     ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
@@ -112,29 +119,29 @@ final class ChildProcess implements AutoCloseable {
             StringBuilder line = new StringBuilder();
             for (int c = reader.read(); c >= 0; c = reader.read()) {
                 if (c == '\n') {
-                    keepErrorLine(line.toString());
+                    addErrorLine(line.toString());
                     line.setLength(0);
-                } else if (line.length() < MAX_KEPT_LENGTH) {
+                } else if (line.length() <= MAX_SHOWN_LENGTH) {
                     line.append((char) c);
                 }
             }
             if (line.length() > 0) {
-                keepErrorLine(line.toString());
+                addErrorLine(line.toString());
             }
         } catch (IOException ended) {
             // The stream was closed with the process.
         }
     }
 
-    private void keepErrorLine(String line) {
+    private void addErrorLine(String line) {
         synchronized (errorLines) {
             if (errorLines.size() == KEPT_LINES) {
                 errorLines.removeFirst();
             }
-            errorLines.addLast(line);
+            errorLines.addLast(MessageText.shortened(line, MAX_KEPT_LENGTH));
         }
         try {
-            errors.accept(line);
+            errors.accept(MessageText.shortened(line, MAX_SHOWN_LENGTH));
         } catch (RuntimeException e) {
             // The other lines must still be read: a child cannot write to a pipe that is closed.
             if (!consumerFailed) {

@@ -28,7 +28,17 @@ public final class MessageText {
      * @param text the text
      */
     public static String excerpt(String text) {
-        return oneLine(text.length() > MAX_EXCERPT_LENGTH ? start(text, MAX_EXCERPT_LENGTH) + "..." : text);
+        return oneLine(shortened(text, MAX_EXCERPT_LENGTH));
+    }
+
+    /**
+     * {@return a text, or its start and three dots if it is long}
+     *
+     * @param text the text
+     * @param length the greatest length of the start, in {@code char} values, positive
+     */
+    public static String shortened(String text, int length) {
+        return text.length() > length ? start(text, length) + "..." : text;
     }
 
     /**

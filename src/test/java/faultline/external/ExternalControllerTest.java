@@ -230,6 +230,19 @@ class ExternalControllerTest {
         assertEquals(3000, errors.size());
     }
 
+    /** The last character of either line is a pair of surrogates. */
+    @Test
+    void aLongLineOnStandardErrorIsShownAndAVeryLongOneIsMarked() {
+        String face = "\\360\\237\\230\\200";
+        String lines = "read l; printf '%09998d" + face + "\\n%09999d" + face + "\\n' 0 0 >&2; exit 1";
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(lines), office(), LONG));
+        assertEquals(List.of("0".repeat(9998) + "\uD83D\uDE00", "0".repeat(9999) + "..."), errors);
+        String kept = "0".repeat(400) + "...";
+        assertTrue(
+                e.getMessage().endsWith("its last line on standard error: " + kept + "; the lines before: " + kept),
+                e.getMessage());
+    }
+
     @Test
     void aChildThatReadsNothingCannotHoldUpTheRun() {
         String deaf = "echo '" + READY + "'; i=0; while [ $i -lt 100000 ]; do "

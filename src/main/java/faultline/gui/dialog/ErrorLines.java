@@ -1,6 +1,7 @@
 package faultline.gui.dialog;
 
 import faultline.gui.action.Notes;
+import faultline.io.MessageText;
 import java.awt.EventQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -13,6 +14,9 @@ import java.util.function.Consumer;
 final class ErrorLines {
 
     private static final int NEVER_REPLACED = Integer.MAX_VALUE;
+
+    /** The length of a line that has room in a tool tip, characters. */
+    private static final int MAX_LENGTH = 400;
 
     private record ErrorLine(int controller, String text) {}
 
@@ -31,16 +35,17 @@ final class ErrorLines {
     /** Returns the receiver of the lines of a new controller of the run. Any thread may call both. */
     Consumer<String> forNewController() {
         int controller = created.incrementAndGet();
-        return text -> add(new ErrorLine(controller, text));
+        return text -> add(controller, text);
     }
 
     /** Returns the receiver of the lines of a ghost's controller. Any thread may call it. */
     Consumer<String> forGhost() {
-        return text -> add(new ErrorLine(NEVER_REPLACED, text));
+        return text -> add(NEVER_REPLACED, text);
     }
 
     /** Shows the newest line only, because lines may arrive faster than they can be shown. */
-    private void add(ErrorLine line) {
+    private void add(int controller, String text) {
+        ErrorLine line = new ErrorLine(controller, MessageText.shortened(text, MAX_LENGTH));
         if (unshown.getAndAccumulate(line, this::newest) == null) {
             EventQueue.invokeLater(this::showNewest);
         }

@@ -68,6 +68,15 @@ class ErrorLinesTest {
         assertEquals(List.of("run again"), shown);
     }
 
+    /** Its tool tip would be wider than the screen. */
+    @Test
+    void aLongLineIsCut() {
+        Consumer<String> ghost = lines.forGhost();
+        write(ghost, "x".repeat(400));
+        write(ghost, "x".repeat(401));
+        assertEquals(List.of("x".repeat(400), "x".repeat(400) + "..."), shown);
+    }
+
     @Test
     void aLineWrittenDuringTheStartStays() {
         lines.forNewController();
