@@ -96,7 +96,7 @@ public final class CampaignMerge {
             }
             out.checkTables(inputs);
             for (ShardFolder part : parts) {
-                requireHeader(part.folder.runs());
+                requireWholeHeader(part);
             }
             if (Files.exists(out.runs())) {
                 requireHeader(out.runs());
@@ -110,9 +110,20 @@ public final class CampaignMerge {
         }
     }
 
-    private void requireHeader(Path table) throws IOException {
+    /** Throws an exception if a part has no header: a part without runs may have been killed before it wrote one. */
+    private void requireWholeHeader(ShardFolder part) throws IOException {
+        if (!requireHeader(part.folder.runs()).equals(ResultColumns.header(plan))) {
+            throw new IOException(part.folder + ": part " + part.shard + " has no table; campaign with --shard "
+                    + part.shard + " --resume makes it");
+        }
+    }
+
+    /** Returns the first line of a table, which is the header of this campaign or its beginning. */
+    private String requireHeader(Path table) throws IOException {
         try (LineReader in = new LineReader(table)) {
-            RunTable.requireNoOther(ResultColumns.header(plan), in.next(), table);
+            String first = in.next();
+            RunTable.requireNoOther(ResultColumns.header(plan), first, table);
+            return first;
         }
     }
 

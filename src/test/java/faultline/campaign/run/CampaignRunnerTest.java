@@ -351,6 +351,28 @@ class CampaignRunnerTest {
         cannotMerge("--shard 2/3 --resume makes the rest", one, two, three);
     }
 
+    /** The first of five parts of two runs has none. */
+    @Test
+    void aPartWithoutRunsNeedsItsHeader() throws Exception {
+        String plan = SamplePlan.text("", "<worlds><scenario file=\"room.xml\"/></worlds><seeds count=\"2\"/>");
+        CampaignFolder[] parts = new CampaignFolder[5];
+        for (int number = 1; number <= 5; number++) {
+            parts[number - 1] = new CampaignFolder(folder.resolve("part-" + number));
+            new CampaignRunner(SamplePlan.read(plan), parts[number - 1], new Shard(number, 5), 1)
+                    .run(false, (made, runs) -> {}, () -> false);
+        }
+        String header = Files.readString(parts[0].runs());
+        assertEquals(1, header.lines().count(), header);
+        for (String beginning : List.of("", header.substring(0, 9))) {
+            Files.writeString(parts[0].runs(), beginning);
+            cannotMerge(parts[0] + ": part 1/5 has no table; campaign with --shard 1/5 --resume makes it", parts);
+        }
+        new CampaignRunner(SamplePlan.read(plan), parts[0], new Shard(1, 5), 1)
+                .run(true, (made, runs) -> {}, () -> false);
+        new CampaignMerge(List.of(parts)).writeTo(new CampaignFolder(folder.resolve("merged")));
+        assertEquals(3, Files.readAllLines(folder.resolve("merged/runs.csv")).size());
+    }
+
     @Test
     void partsOfDifferentPlansAreRefused() throws Exception {
         CampaignFolder one = part(1);
