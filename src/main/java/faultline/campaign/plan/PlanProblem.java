@@ -21,8 +21,9 @@ public enum PlanProblem implements Message.Template {
     /** The plan has no worlds. */
     NO_WORLDS("<campaign> has no worlds; expected <worlds> with <scenario> or <rooms> in it"),
     /** Two scenarios have the same name. */
-    DUPLICATE_SCENARIO(
-            "name of <scenario> is \"{0}\", which another scenario already has;" + " expected unique names and files"),
+    DUPLICATE_SCENARIO("name of <scenario> is \"{0}\", which another scenario already has; expected unique names"),
+    /** Two scenarios have the same file. */
+    DUPLICATE_FILE("file of <scenario> is \"{0}\", which another scenario already has; expected each file once"),
     /** A room is there twice. */
     DUPLICATE_ROOM("<rooms> contains the world \"{0}\", which is there already; expected each world once"),
     /** A fault is there twice. */

@@ -90,7 +90,11 @@ final class WorldsReader {
         if (!fields.isValid("file", file)) {
             return Optional.empty();
         }
-        if (!labels.add(label) || scenarios.containsKey(file)) {
+        if (scenarios.containsKey(file)) {
+            problems.add(node, PlanProblem.DUPLICATE_FILE.with(MessageText.excerpt(file)));
+            return Optional.empty();
+        }
+        if (!labels.add(label)) {
             problems.add(node, PlanProblem.DUPLICATE_SCENARIO.with(MessageText.excerpt(label)));
             return Optional.empty();
         }

@@ -86,7 +86,9 @@ class PlanReaderTest {
                     """
             <rooms first="3" count="4"/><rooms first="6" count="2"/> | <rooms> contains the world "room-6", which is there already; expected each world once
             <rooms first="6" count="2"/><rooms first="3" count="4"/> | <rooms> contains the world "room-6", which is there already; expected each world once
-            <rooms first="6"/><scenario file="a.xml" name="room-6"/> | name of <scenario> is "room-6", which another scenario already has; expected unique names and files
+            <rooms first="6"/><scenario file="a.xml" name="room-6"/> | name of <scenario> is "room-6", which another scenario already has; expected unique names
+            <scenario file="a.xml" name="A"/><scenario file="b.xml" name="A"/> | name of <scenario> is "A", which another scenario already has; expected unique names
+            <scenario file="a.xml" name="A"/><scenario file="a.xml" name="B"/> | file of <scenario> is "a.xml", which another scenario already has; expected each file once
             <scenario file="room-7.xml"/><rooms first="6" count="2"/> | <rooms> contains the world "room-7", which is there already; expected each world once
             """)
     void aWorldIsThereOnce(String worlds, String problem) {
