@@ -1,8 +1,10 @@
 package faultline.campaign.plan;
 
 import faultline.control.ControllerSpec;
+import faultline.io.Message;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
@@ -148,8 +150,21 @@ final class PlanCheck {
                     ? problem.location()
                     : last.get(last.size() - 1).location();
             if (reported.add(location.toString() + problem.message())) {
-                problems.add(location, PlanProblem.IN_WORLD.with(problem.message(), world));
+                problems.add(location, PlanProblem.IN_WORLD.with(inWordsOfPlan(problem, edits), world));
             }
         }
+    }
+
+    /** Names lasts, which a plan may have instead of until. */
+    private static Message inWordsOfPlan(Problem problem, List<ScenarioChange> edits) {
+        Message message = problem.message();
+        boolean isUntil = message.template() == ProblemKind.UNTIL
+                || message.template() == ProblemKind.VALUE
+                        && message.arguments().get(0).equals("until");
+        boolean lasts = edits.stream()
+                .filter(edit -> edit.location().equals(problem.location()))
+                .flatMap(edit -> edit.values().stream())
+                .anyMatch(AttributeValue.Sum.class::isInstance);
+        return isUntil && lasts ? PlanProblem.LASTS.with(message) : message;
     }
 }

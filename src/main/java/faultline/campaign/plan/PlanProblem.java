@@ -30,6 +30,8 @@ public enum PlanProblem implements Message.Template {
     DUPLICATE_FAULT("<{0}> is the same as an earlier one; expected each fault once"),
     /** The end of a fault is given twice. */
     LASTS_AND_UNTIL("<fault> has both lasts and until; expected one of them"),
+    /** A problem with the end of a fault that the plan gives by its duration. */
+    LASTS("lasts of <fault> gives its end: {0}"),
     /** A scenario has a problem. */
     SCENARIO("file of <scenario> is \"{0}\": {1}"),
     /** A place in a scenario, and its problem. */

@@ -67,6 +67,8 @@ class PlanReaderTest {
             <faults><healthy/><healthy/></faults> | plan.xml:3:29: <healthy> is the same as an earlier one; expected each fault once
             <faults><fault kind="off stuck" sensor="front" at="1..2"/><fault sensor="front" at="1..2" kind="stuck"/></faults> | plan.xml:3:105: <fault> is the same as an earlier one; expected each fault once
             <faults><fault kind="off" sensor="front" at="1" until="2" lasts="3"/></faults> | plan.xml:3:70: <fault> has both lasts and until; expected one of them
+            <faults><fault kind="off" sensor="front" at="1" lasts="0"/></faults> | plan.xml:3:60: lasts of <fault> gives its end: until of <fault> is 1; expected a time after at, which is 1 (in room)
+            <faults><fault kind="off" sensor="front" at="9999999" lasts="5"/></faults> | plan.xml:3:66: lasts of <fault> gives its end: until of <fault> is "10000004"; expected a number from 0 to 10000000 seconds (in room)
             <set attribute="controller/@type" value="none extern"/> | plan.xml:3:56: the controller is from outside, which no plan can name; expected one of the program or of --jar (in room)
             <set attribute="controller/@type" value="extern"/><variants><variant name="a"/></variants> | plan.xml:3:51: the controller is from outside, which no plan can name; expected one of the program or of --jar (in room)
             <set attribute="controller/setting[1]/@value" value="1"/> | plan.xml:3:58: attribute of <set> is "controller/setting[1]/@value", but <controller> has no setting[1] (in room)
