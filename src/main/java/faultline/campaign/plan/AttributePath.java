@@ -25,7 +25,9 @@ record AttributePath(List<PathStep> steps, String attribute) {
     static final String RULE =
             "a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration";
 
-    private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[([^\\[\\]]+)])?");
+    /** An element; its id may have slashes and brackets, but not a closing bracket before a slash. */
+    private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[(.+?)])?/");
+
     private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
 
     /** The attributes, except thresholds, by unit. The name of a column ends with the unit. */
@@ -81,19 +83,15 @@ record AttributePath(List<PathStep> steps, String attribute) {
 
     /** Parses a path, which may start with {@code scenario/}; returns an empty result if the text is not a path. */
     static Optional<AttributePath> parse(String text) {
-        List<String> parts = new ArrayList<>(List.of(text.strip().split("/", -1)));
-        if (parts.size() > 1 && parts.get(0).equals("scenario")) {
-            parts.remove(0);
-        }
-        Matcher attribute = ATTRIBUTE.matcher(parts.remove(parts.size() - 1));
+        String path = text.strip().replaceFirst("^scenario/", "");
         List<PathStep> steps = new ArrayList<>();
-        for (String part : parts) {
-            Matcher step = STEP.matcher(part);
-            if (!step.matches()) {
-                return Optional.empty();
-            }
+        Matcher step = STEP.matcher(path);
+        int end = 0;
+        while (step.region(end, path.length()).lookingAt()) {
             steps.add(new PathStep(step.group(1), step.group(2) == null ? "" : step.group(2)));
+            end = step.end();
         }
+        Matcher attribute = ATTRIBUTE.matcher(path.substring(end));
         return attribute.matches() ? Optional.of(new AttributePath(steps, attribute.group(1))) : Optional.empty();
     }
 

@@ -2,6 +2,7 @@ package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,7 +29,18 @@ class AttributePathTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "robot", "robot/speed", "robot//@speed", "robot/sensor[]/@on", "@", "robot/@speed/@x"})
+    @ValueSource(
+            strings = {
+                "",
+                "robot",
+                "robot/speed",
+                "robot//@speed",
+                "robot/sensor[]/@on",
+                "@",
+                "robot/@speed/@x",
+                "robot/sensor[a/@on",
+                "robot/sensor[a]b/@on"
+            })
     void aTextThatIsNoPathIsRefused(String path) {
         assertEquals(Optional.empty(), AttributePath.parse(path));
     }
@@ -52,5 +64,20 @@ class AttributePathTest {
     void aPathIsWrittenAsItIsRead() {
         String path = "robot/sensor[front]/@cone";
         assertEquals(path, AttributePath.parse(path).orElseThrow().toString());
+    }
+
+    /** Only a bracket before a slash ends an id. */
+    @ParameterizedTest
+    @ValueSource(strings = {"front", "a/b", "a[b]", "[1]", "a]", "[", "/@on", "front nose"})
+    void anIdMayHaveSlashesAndBrackets(String id) {
+        AttributePath path =
+                AttributePath.parse("robot/sensor[" + id + "]/motor[2]/@on").orElseThrow();
+        assertEquals(
+                List.of(
+                        new AttributePath.PathStep("robot", ""),
+                        new AttributePath.PathStep("sensor", id),
+                        new AttributePath.PathStep("motor", "2")),
+                path.steps());
+        assertEquals("on", path.attribute());
     }
 }
