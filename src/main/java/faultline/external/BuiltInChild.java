@@ -10,6 +10,8 @@ import faultline.io.DecimalText;
 import faultline.io.JsonWriter;
 import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.NumberRange;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.sensor.Reading;
 import java.io.Closeable;
 import java.io.IOException;
@@ -22,6 +24,12 @@ import java.nio.charset.StandardCharsets;
  * trajectories equal those of the controller called directly, which shows that the protocol loses no information.
  */
 public final class BuiltInChild {
+
+    /** The ticks from one observation to the next; controllers integrate their motion over each of them. */
+    private static final long MAX_STEP = 10_000_000;
+
+    /** The greatest absolute value of a reading, metres; even one with a fault is far below it. */
+    private static final double MAX_READING = 1e9;
 
     private final InputStream in;
     private final LineBuffer lines = new LineBuffer();
@@ -58,6 +66,7 @@ public final class BuiltInChild {
     private void answerAll(Controller controller, String name) throws IOException, ProtocolException {
         RobotSpec robot = null;
         double dt = 0;
+        long next = 0;
         for (String line = lines.read(in); line != null; line = lines.read(in)) {
             MessageReader message = MessageReader.of(line);
             String type = message.string("type");
@@ -70,6 +79,7 @@ public final class BuiltInChild {
             }
             if (type.equals("hello")) {
                 dt = checkHello(message);
+                next = 0;
             }
             if (message.has("robot")) {
                 robot = ProtocolMessages.readRobot(message.object("robot"));
@@ -80,7 +90,8 @@ public final class BuiltInChild {
                         .member("protocol", ProtocolMessages.PROTOCOL)
                         .member("name", name));
             } else {
-                Observation observation = observation(message, dt, robot);
+                Observation observation = observation(message, next, dt, robot);
+                next = observation.tick() + 1;
                 send(answer(decide(controller, observation), observation.tick()));
             }
         }
@@ -105,15 +116,21 @@ public final class BuiltInChild {
         if (dt <= 0) {
             throw new ProtocolException("has ticks of " + DecimalText.format(dt) + " s", "; expected more than 0");
         }
+        if (dt < ScenarioLimits.MIN_TICK || dt > ScenarioLimits.MAX_TICK) {
+            throw new ProtocolException(
+                    "has ticks of " + DecimalText.format(dt) + " s", "; expected " + NumberRange.TICK.rule());
+        }
         return dt;
     }
 
-    private static Observation observation(MessageReader message, double dt, RobotSpec robot) throws ProtocolException {
+    /** Reads an observation, given the least tick that it may have. */
+    private static Observation observation(MessageReader message, long next, double dt, RobotSpec robot)
+            throws ProtocolException {
         if (dt == 0) {
             throw new ProtocolException("wrote an observe message", " before the hello message");
         }
         return new Observation(
-                message.whole("tick"),
+                message.whole("tick", next, next + MAX_STEP),
                 dt,
                 robot,
                 readings(message, robot.sensors().size()));
@@ -129,6 +146,12 @@ public final class BuiltInChild {
                             + " of each, one for each sensor");
         }
         for (int i = 0; i < readings.length; i++) {
+            if (Double.isFinite(readings[i]) && Math.abs(readings[i]) > MAX_READING) {
+                throw new ProtocolException(
+                        "wrote an observe message",
+                        " with a reading of " + DecimalText.format(readings[i]) + " m; expected from "
+                                + DecimalText.format(-MAX_READING) + " to " + DecimalText.format(MAX_READING));
+            }
             readings[i] = answers[i] ? readings[i] : Reading.OFF;
         }
         return readings;

@@ -2,13 +2,17 @@ package faultline.external;
 
 import faultline.control.Observation;
 import faultline.engine.Simulation;
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.io.JsonWriter;
 import faultline.io.MessageText;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.NumberRange;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
@@ -20,6 +24,9 @@ final class ProtocolMessages {
 
     /** The version of the protocol. */
     static final int PROTOCOL = 1;
+
+    private static final NumberRange TURN_RATE = inRadians(NumberRange.TURN_RATE);
+    private static final NumberRange ANGLE = inRadians(NumberRange.ANGLE);
 
     private ProtocolMessages() {}
 
@@ -118,9 +125,40 @@ final class ProtocolMessages {
     /** Reads the robot of a {@code hello} or {@code observe} message. */
     static RobotSpec readRobot(MessageReader robot) throws ProtocolException {
         try {
-            return toRobot(robot);
+            RobotSpec spec = toRobot(robot);
+            requireWithinLimits(spec);
+            return spec;
         } catch (IllegalArgumentException e) {
             throw new ProtocolException("describes a robot that cannot be", ": " + MessageText.oneLine(e.getMessage()));
+        }
+    }
+
+    private static NumberRange inRadians(NumberRange degrees) {
+        return NumberRange.closed(Degrees.toRadians(degrees.min()), Degrees.toRadians(degrees.max()), Allowed.UNITLESS);
+    }
+
+    /** Throws an exception for a number that no robot of a scenario has, because controllers expect none. */
+    private static void requireWithinLimits(RobotSpec robot) throws ProtocolException {
+        requireWithin("length_m", robot.length(), NumberRange.SIZE);
+        requireWithin("width_m", robot.width(), NumberRange.SIZE);
+        requireWithin("track_m", robot.track(), NumberRange.SIZE);
+        requireWithin("speed_m_s", robot.speed(), NumberRange.POSITIVE_SPEED);
+        requireWithin("turn_rate_rad_s", robot.turnRate(), TURN_RATE);
+        requireWithin("time_constant_s", robot.motor().timeConstant(), NumberRange.TIME_CONSTANT);
+        requireWithin("speed_constant_m_s_v", robot.motor().speedConstant(), NumberRange.SPEED_CONSTANT);
+        requireWithin("max_voltage_v", robot.motor().maxVoltage(), NumberRange.POSITIVE_VOLTAGE);
+        for (SensorSpec sensor : robot.sensors()) {
+            requireWithin("x_m", sensor.mountPosition().x(), NumberRange.COORDINATE);
+            requireWithin("y_m", sensor.mountPosition().y(), NumberRange.COORDINATE);
+            requireWithin("bearing_rad", sensor.bearing(), ANGLE);
+        }
+    }
+
+    private static void requireWithin(String name, double value, NumberRange range) throws ProtocolException {
+        if (value < range.min().doubleValue() || value > range.max().doubleValue()) {
+            throw new ProtocolException(
+                    "describes a robot that cannot be",
+                    ": its " + name + " is " + DecimalText.format(value) + "; expected " + range.rule());
         }
     }
 

@@ -2,6 +2,7 @@ package faultline.external;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerSpec;
@@ -16,6 +17,7 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -40,9 +42,16 @@ class BuiltInChildTest {
             hello           | observe         |                                | wrote an observe message before the hello message
             "protocol":1    | "protocol":2    |                                | speaks protocol 2; expected 1
             "dt_s":0.01     | "dt_s":-0       |                                | has ticks of -0 s; expected more than 0
+            "dt_s":0.01     | "dt_s":1e-9     |                                | has ticks of 0.000000001 s; expected from 0.00001 to 1 seconds
+            "dt_s":0.01     | "dt_s":1.5      |                                | has ticks of 1.5 s; expected from 0.00001 to 1 seconds
             "dt_s":0.01     | "dt_s":{"a":[1,null,"x"]} |                      | wrote a message whose "dt_s" is "{"a":[1,null,"x"]}"; expected a finite number
             "robot":        | "robt":         |                                | wrote a message whose "robot" is missing; expected an object
             "width_m":0.2   | "width_m":-0.2  |                                | describes a robot that cannot be: the robot's width must be positive: -0.2
+            "length_m":0.25 | "length_m":1e300 |                               | describes a robot that cannot be: its length_m is 1E+300; expected from 0.000001 to 100000 metres
+            "track_m":0.18  | "track_m":1e-9  |                                | describes a robot that cannot be: its track_m is 0.000000001; expected from 0.000001 to 100000 metres
+            "speed_m_s":0.3 | "speed_m_s":1001 |                               | describes a robot that cannot be: its speed_m_s is 1001; expected more than 0 and at most 1000 metres per second
+            "bearing_rad":0,| "bearing_rad":-1e5, |                            | describes a robot that cannot be: its bearing_rad is -100000; expected from -17453.292519943298 to 17453.292519943298
+            "range_m":0.8   | "range_m":1e12  |                                | describes a robot that cannot be: front: range must be from 1.0E-6 to 100000.0: 1.0E12
             "front-left"    | "front"         |                                | describes a robot that cannot be: two sensors have the id front
             "protocol":1    | "protocol":1.0  | "readings_m":[],"answers":[]   | wrote an observe message with 0 readings and 0 answers; expected 8 of each, one for each sensor
             "protocol":1    | "protocol":1.0  | "readings_m":[1e999],"answers":[true] | wrote a message whose "readings_m" is "[1e999]"; expected an array of finite numbers
@@ -59,6 +68,46 @@ class BuiltInChildTest {
         BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(in), new ByteArrayOutputStream());
         RunFailedException e = assertThrows(RunFailedException.class, () -> child.run(setup.controller()));
         assertEquals("the simulator " + sentence, e.getMessage());
+    }
+
+    /** The number of a tick that no run has would be counted up to, tick by tick. */
+    @ParameterizedTest
+    @CsvSource({
+        "10000000, 20000001, -",
+        "10000001, 0, a whole number from 0 to 10000000",
+        "-1, 0, a whole number from 0 to 10000000",
+        "7, 9007199254740991, a whole number from 8 to 10000008",
+        "7, 7, a whole number from 8 to 10000008"
+    })
+    void ticksFollowEachOther(long first, long second, String expected) throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        String hello = ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1));
+        String readings = ",\"readings_m\":[1,1,1,1,1,1,1,1],\"answers\":" + Collections.nCopies(8, true) + "}\n";
+        String in = hello + "\n{\"type\":\"observe\",\"tick\":" + first + readings + "{\"type\":\"observe\",\"tick\":"
+                + second + readings;
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(in.getBytes(StandardCharsets.UTF_8)), out);
+        if (expected.equals("-")) {
+            child.run(setup.controller());
+            assertTrue(out.toString(StandardCharsets.UTF_8).contains("\"tick\":" + second + ","), out::toString);
+            return;
+        }
+        String failure = assertThrows(RunFailedException.class, () -> child.run(setup.controller()))
+                .getMessage();
+        assertTrue(failure.startsWith("the simulator wrote a message whose \"tick\" is \""), failure);
+        assertTrue(failure.endsWith("; expected " + expected), failure);
+    }
+
+    @Test
+    void aReadingThatNoSensorHasIsRefused() throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        String hello = ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1));
+        String observe = "{\"type\":\"observe\",\"tick\":0,\"readings_m\":[1,1,1,1,1,1,1,-1e300]" + ",\"answers\":"
+                + Collections.nCopies(8, true) + "}";
+        assertEquals(
+                "the simulator wrote an observe message with a reading of -1E+300 m;"
+                        + " expected from -1000000000 to 1000000000",
+                failureOf((hello + "\n" + observe + "\n").getBytes(StandardCharsets.UTF_8)));
     }
 
     /** The window shows the name, so it must not be that of a state. */
