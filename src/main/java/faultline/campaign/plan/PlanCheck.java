@@ -20,8 +20,8 @@ import java.util.stream.Collectors;
 /**
  * Tries every level of every factor in every kind of world of a plan, one level at a time, so that an invalid value is
  * reported at its location in the plan before any run. Draws are tried at the ends of their ranges: first all of a
- * level at the same end, then, if there is no problem, every combination of ends. After very many trials or problems,
- * only the constant changes are tried in each further world.
+ * level at the same end, then, if there is no problem, every combination close to the ends. After very many trials or
+ * problems, only the constant changes are tried in each further world.
  */
 final class PlanCheck {
 
@@ -55,7 +55,7 @@ final class PlanCheck {
         for (WorldSource source : worlds.kinds()) {
             apply(source).ifPresent(world -> {
                 checked.add(world);
-                check(world, List.of(), new DrawTrials(List.of()).alike(), typeVaries);
+                check(world, List.of(), DrawTrials.alike(List.of()), typeVaries);
                 check(world, factors, DrawTrials::alike, typeVaries);
             });
         }
@@ -78,7 +78,7 @@ final class PlanCheck {
     private void check(
             CheckedWorld world,
             List<Factor> factors,
-            Function<DrawTrials, List<AttributeValue.UniformSource>> trials,
+            Function<List<ScenarioChange>, List<AttributeValue.UniformSource>> trials,
             boolean typeVaries) {
         for (Factor factor : factors) {
             boolean otherSetsType = typeVaries && !setsType(factor);
@@ -86,7 +86,7 @@ final class PlanCheck {
                 if (isEnough()) {
                     return;
                 }
-                check(world, level.edits(), trials.apply(new DrawTrials(level.edits())), otherSetsType);
+                check(world, level.edits(), trials.apply(level.edits()), otherSetsType);
             }
         }
     }
