@@ -27,7 +27,7 @@ import java.util.stream.Stream;
  * @param success whether all expectations hold and there is no collision that is not expected
  * @param title the event, in a few words
  * @param detail why, empty if there is nothing to add
- * @param event the tick of the failure or the collision, -1 if there is neither
+ * @param event the tick of the failure or the collision, 0 if it was at the start, -1 if there is neither
  */
 public record RunVerdict(boolean success, String title, String detail, long event) {
 
@@ -87,7 +87,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
                 unmet.isEmpty() && (collision.isEmpty() || isCollisionExpected(required)),
                 title,
                 detail,
-                collision.map(Collision::tick).orElse(NONE));
+                collision.map(RunVerdict::eventTick).orElse(NONE));
     }
 
     private static RunVerdict atCollision(Collision collision, List<Expectation.Condition> required) {
@@ -96,7 +96,12 @@ public record RunVerdict(boolean success, String title, String detail, long even
                 expected,
                 collisionText(collision),
                 (expected ? Messages.get("verdict.asExpected") + " " : "") + faultText(collision),
-                collision.tick());
+                eventTick(collision));
+    }
+
+    /** Returns the tick of a collision, 0 for one that an edit causes before the first tick. */
+    private static long eventTick(Collision collision) {
+        return collision.time() > 0 ? collision.tick() : 0;
     }
 
     /** Returns whether a collision is no failure, neither when it happens nor at the end of the run. */

@@ -108,7 +108,8 @@ public final class VerdictBanner extends JPanel {
         icon.setIcon(next.success() ? SUCCESS : FAILURE);
         detail.setText(next.detail());
         detail.setVisible(!next.detail().isEmpty());
-        back.setVisible(next.event() >= 0);
+        // There is nothing before the start of the run.
+        back.setVisible(next.event() > 0);
         wrapTexts();
         getAccessibleContext().setAccessibleName(next.title() + ". " + next.detail());
         updateBorder();

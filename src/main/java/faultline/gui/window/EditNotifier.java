@@ -5,6 +5,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
+import faultline.world.Collision;
 import java.util.function.Consumer;
 
 /** Reports the effects of an edit on the run, and why an edit or Run has none. */
@@ -35,8 +36,15 @@ final class EditNotifier implements WorkspaceListener {
                 .session()
                 .flatMap(session -> session.frame().snapshot().collision())
                 .filter(collision -> collision.tick() >= since)
-                .ifPresent(collision -> notifier.accept(
-                        Messages.get("edit.crashStays", keystrokeText("stepBack"), keystrokeText("restart"))));
+                .map(this::adviceAfter)
+                .ifPresent(notifier);
+    }
+
+    /** Returns how to undo a collision; there is nothing to step back to before one at the start. */
+    private String adviceAfter(Collision collision) {
+        return collision.time() == 0
+                ? Messages.get("edit.crashStaysAtStart", keystrokeText("restart"))
+                : Messages.get("edit.crashStays", keystrokeText("stepBack"), keystrokeText("restart"));
     }
 
     @Override

@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
@@ -47,6 +48,27 @@ class VerdictBannerTest {
         assertEquals(height(1600, "End of the run"), height(1600, LONG));
     }
 
+    @Test
+    void theButtonIsMissingIfThereIsNothingBeforeTheEvent() {
+        assertTrue(hasBackButton(1));
+        assertFalse(hasBackButton(0));
+    }
+
+    private static boolean hasBackButton(long event) {
+        return callOnEdt(() -> {
+            VerdictBanner banner = new VerdictBanner(tick -> {});
+            banner.setVerdict(new RunVerdict(false, "Collision", "", event), 0.01);
+            return backButton(banner).isVisible();
+        });
+    }
+
+    private static JButton backButton(VerdictBanner banner) {
+        return ComponentFinder.findAll(banner, JButton.class)
+                .filter(button -> Messages.get("verdict.back").equals(button.getText()))
+                .findFirst()
+                .orElseThrow();
+    }
+
     @ParameterizedTest
     @EnumSource(TextSize.class)
     void theButtonIsBelowTheTextsWhereItWouldTakeMoreRoomThanThey(TextSize size) {
@@ -66,10 +88,7 @@ class VerdictBannerTest {
                 JTextArea detail = ComponentFinder.findAll(banner, JTextArea.class)
                         .toList()
                         .get(1);
-                JButton back = ComponentFinder.findAll(banner, JButton.class)
-                        .filter(button -> Messages.get("verdict.back").equals(button.getText()))
-                        .findFirst()
-                        .orElseThrow();
+                JButton back = backButton(banner);
                 assertTrue(detail.getWidth() >= back.getWidth(), "at " + width);
                 assertTrue(detail.getWidth() < before);
                 before = detail.getWidth();

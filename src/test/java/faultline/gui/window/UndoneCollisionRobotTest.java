@@ -3,15 +3,21 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.VerdictBanner;
 import faultline.gui.theme.Theme;
+import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JButton;
 import javax.swing.JSlider;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -69,6 +75,35 @@ class UndoneCollisionRobotTest {
             driver.waitForFrame(
                     "the robot is past the place",
                     frame -> frame.snapshot().pose().x() > 5);
+        }
+    }
+
+    /** There is nothing to step back to before the start of the run. */
+    @Test
+    void onlyARestartIsAdvisedAfterACollisionAtTheStart() {
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/collision-on-purpose.xml"))) {
+            runOnEdt(() -> ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel")
+                    .setSelectedIndex(3));
+            driver.choose("selectAll");
+            JTextField x = ComponentFinder.find(driver.window(), JTextField.class, "x, m");
+            driver.robot().waitFor("the pole can be moved", x::isEnabled);
+            driver.typeInto("x, m", KeyEvent.VK_1, KeyEvent.VK_ENTER);
+            driver.waitForFrame(
+                    "the pole touches the robot",
+                    frame -> frame.snapshot().collision().isPresent());
+            VerdictBanner banner = ComponentFinder.findAll(driver.canvas(), VerdictBanner.class)
+                    .findFirst()
+                    .orElseThrow();
+            driver.robot().waitFor("the banner shows", banner::isShowing);
+            JButton back = ComponentFinder.find(driver.window(), JButton.class, "Go to just before");
+            assertFalse(callOnEdt(back::isShowing));
+            driver.choose("undo");
+            driver.robot().waitFor("the window says that the collision stays", () -> driver.statusNote()
+                    .startsWith("The collision is not undone."));
+            assertEquals("The collision is not undone. To undo it too, restart (Ctrl+R)", driver.statusNote());
+            driver.choose("restart");
+            driver.waitForFrame(
+                    "the robot is free", frame -> frame.snapshot().collision().isEmpty());
         }
     }
 }
