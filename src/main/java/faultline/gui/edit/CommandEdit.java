@@ -149,15 +149,22 @@ final class CommandEdit implements Edit {
 
     /**
      * Returns the changes that undo the edit, given the results of its last and of its first execution in this run, and
-     * what returns the commands of the timeline since a tick.
+     * what returns the commands of the timeline since a tick. They are in the reverse order, except that obstacles come
+     * back in the order in which they were removed together: that is their drawing order.
      */
     List<LaterChange> undoChanges(
             List<CommandResult> executed, List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
         Map<EditPart, CommandResult> firstParts = parts(firsts);
         List<LaterChange> changes = new ArrayList<>();
-        parts(executed)
-                .forEach((part, result) ->
-                        changes.addAll(0, undo(result, firstParts.getOrDefault(part, result), plannedSince)));
+        int end = 0;
+        for (Map.Entry<EditPart, CommandResult> entry : parts(executed).entrySet()) {
+            CommandResult result = entry.getValue();
+            boolean removal = EditTarget.of(result.command()).kind().equals(EditTarget.REMOVAL);
+            int from = removal ? end : 0;
+            List<LaterChange> undone = undo(result, firstParts.getOrDefault(entry.getKey(), result), plannedSince);
+            changes.addAll(from, undone);
+            end = removal ? from + undone.size() : 0;
+        }
         return changes;
     }
 

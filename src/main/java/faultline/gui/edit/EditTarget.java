@@ -24,13 +24,16 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
     /** The kind of the targets of commands that belong to a time of the run. */
     static final String EVENT = "event";
 
+    /** The kind of the targets of commands that remove an obstacle. */
+    static final String REMOVAL = "remove";
+
     private static final Command.CommandCases<EditTarget> FINDER = Command.CommandCases.ofSetup(
             timed -> new EditTarget(EVENT, timed, false),
             configureSensor ->
                     new EditTarget("configure", configureSensor.sensor().id(), true),
             moveObstacle -> new EditTarget("move", moveObstacle.obstacle(), true),
             placeObstacle -> new EditTarget("place", placeObstacle.obstacle().id(), false),
-            removeObstacle -> single(removeObstacle),
+            removeObstacle -> new EditTarget(REMOVAL, removeObstacle, false),
             setPlatform -> new EditTarget("platform", "", true),
             configureController -> new EditTarget("controller", "", true));
 
@@ -66,9 +69,5 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
 
     static EditTarget of(Command command) {
         return command.match(FINDER);
-    }
-
-    private static EditTarget single(Command command) {
-        return new EditTarget("single", command, false);
     }
 }

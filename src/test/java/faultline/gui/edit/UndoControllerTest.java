@@ -454,6 +454,20 @@ class UndoControllerTest {
     }
 
     @Test
+    void obstaclesThatWereDeletedTogetherComeBackInTheirOrder() {
+        runOnEdt(() -> sender.send(List.of(new Command.PlaceObstacle(LAMP))));
+        runOnEdt(() -> sender.send(List.of(
+                new Command.RemoveObstacle("desk"),
+                new Command.RemoveObstacle("lamp"),
+                new Command.SwitchSensor("left", false))));
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK, LAMP), world.snapshot().obstacles());
+        runOnEdt(controller::redo);
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK, LAMP), world.snapshot().obstacles());
+    }
+
+    @Test
     void repairingTheMotorsOfBothSidesIsOneEditThatUndoRestores() {
         Command left = new Command.InjectMotorFault(MotorSide.LEFT, new MotorFault.NoDrive());
         Command right = new Command.InjectMotorFault(MotorSide.RIGHT, new MotorFault.Weak(0.5));
