@@ -11,15 +11,17 @@ import java.awt.event.WindowEvent;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JFormattedTextField;
+import javax.swing.JList;
 import javax.swing.JTabbedPane;
+import javax.swing.JTable;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /**
- * Makes Space run and pause the simulation although a button, a closed combo box or a tab has the focus; otherwise it
- * would press the control that was clicked last. Enter presses the focused button instead. Space also runs and pauses
- * from a number field whose number is applied. In other text fields, lists, open menus and dialogs, keys keep their
- * usual meaning.
+ * Makes Space run and pause the simulation although a button, a closed combo box, a tab, a list or a table has the
+ * focus; otherwise it would press the control that was clicked last, or select a row that is mostly selected already.
+ * Enter presses the focused button instead. Space also runs and pauses from a number field whose number is applied. In
+ * other text fields, open menus and dialogs, keys keep their usual meaning, and so does Space with other keys.
  */
 final class SpaceKeyDispatcher implements KeyEventDispatcher {
 
@@ -73,6 +75,8 @@ final class SpaceKeyDispatcher implements KeyEventDispatcher {
     private static boolean takesSpace(Component focused) {
         return focused instanceof AbstractButton
                 || focused instanceof JTabbedPane
+                || focused instanceof JList
+                || focused instanceof JTable
                 || focused instanceof JComboBox<?> box && !box.isPopupVisible()
                 || focused instanceof JFormattedTextField
                         && SwingUtilities.getAncestorOfClass(NumberSpinner.class, focused)

@@ -15,6 +15,7 @@ import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,13 @@ class SpaceKeyDispatcherTest {
     }
 
     @Test
+    void spaceStartsTheRunInsteadOfSelectingARow() {
+        assertEquals(true, press(callOnEdt(() -> new JList<String>()), KeyEvent.VK_SPACE, ' '));
+        assertEquals(true, press(callOnEdt(() -> new JTable()), KeyEvent.VK_SPACE, ' '));
+        assertEquals(List.of("run", "run"), log);
+    }
+
+    @Test
     void spaceStartsTheRunInANumberFieldUnlessItsTextIsEdited() {
         NumberSpinner number = callOnEdt(() -> new NumberSpinner("0.0", 0, 9, 1, value -> {}));
         runOnEdt(() -> window.add(number));
@@ -80,10 +88,12 @@ class SpaceKeyDispatcherTest {
     }
 
     @Test
-    void textFieldsListsAndOtherWindowsKeepTheirKeys() {
+    void textFieldsTablesAndOtherWindowsKeepTheirKeys() {
         assertEquals(false, press(callOnEdt(JTextField::new), KeyEvent.VK_SPACE, ' '));
         assertEquals(false, press(callOnEdt(JTextField::new), KeyEvent.VK_ENTER, '\n'));
-        assertEquals(false, press(callOnEdt(() -> new JList<String>()), KeyEvent.VK_SPACE, ' '));
+        JTable table = callOnEdt(() -> new JTable());
+        assertEquals(false, press(table, KeyEvent.VK_ENTER, '\n'));
+        assertEquals(false, press(callOnEdt(table::getTableHeader), KeyEvent.VK_SPACE, ' '));
         JButton elsewhere = callOnEdt(() -> new JButton("OK"));
         runOnEdt(() -> {
             SpaceKeyDispatcher dispatcher = new SpaceKeyDispatcher(window, () -> log.add("run"));
