@@ -1,33 +1,35 @@
 package faultline.gui.window;
 
+import faultline.engine.SimulationSetup;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
+import faultline.gui.action.Notes;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
 import faultline.world.Collision;
-import java.util.function.Consumer;
 
 /** Reports the effects of an edit on the run, and why an edit or Run has none. */
 final class EditNotifier implements WorkspaceListener {
 
     private final Workspace workspace;
     private final ActionRegistry actions;
-    private final Consumer<String> notifier;
+    private final Notes notes;
+    private String failureNote = "";
 
-    EditNotifier(Workspace workspace, ActionRegistry actions, Consumer<String> notifier) {
+    EditNotifier(Workspace workspace, ActionRegistry actions, Notes notes) {
         this.workspace = workspace;
         this.actions = actions;
-        this.notifier = notifier;
+        this.notes = notes;
     }
 
     void timelineForked(int later) {
-        notifier.accept(Messages.get("edit.forked", Integer.toString(later)));
+        notes.show(Messages.get("edit.forked", Integer.toString(later)));
     }
 
     /** Explains why the run does not show that an edit has been undone or redone. */
     void editChangedScenario(String name, boolean redone) {
-        notifier.accept(Messages.get(redone ? "edit.redoneInScenario" : "edit.undoneInScenario", name));
+        notes.show(Messages.get(redone ? "edit.redoneInScenario" : "edit.undoneInScenario", name));
     }
 
     /** Explains that undoing an edit does not undo a collision that happened after it. */
@@ -37,7 +39,7 @@ final class EditNotifier implements WorkspaceListener {
                 .flatMap(session -> session.frame().snapshot().collision())
                 .filter(collision -> collision.tick() >= since)
                 .map(this::adviceAfter)
-                .ifPresent(notifier);
+                .ifPresent(notes::show);
     }
 
     /** Returns how to undo a collision; there is nothing to step back to before one at the start. */
@@ -49,12 +51,18 @@ final class EditNotifier implements WorkspaceListener {
 
     @Override
     public void setupChangeDeferred() {
-        notifier.accept(Messages.get("edit.deferred"));
+        notes.show(Messages.get("edit.deferred"));
     }
 
     @Override
     public void failedRunResumed() {
-        notifier.accept(Messages.get("run.failed", keystrokeText("restart")));
+        failureNote = Messages.get("run.failed", keystrokeText("restart"));
+        notes.show(failureNote);
+    }
+
+    @Override
+    public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
+        notes.remove(failureNote);
     }
 
     private String keystrokeText(String action) {

@@ -196,7 +196,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void connectUndo() {
-        EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, this::showNote);
+        EditNotifier editNotifier = new EditNotifier(workspace, actionRegistry, notes);
         workspace.addListener(editNotifier);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.follow(workspace, runController);
