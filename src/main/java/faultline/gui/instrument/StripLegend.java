@@ -51,7 +51,7 @@ final class StripLegend extends JComponent {
     }
 
     private int room() {
-        return getParent().getWidth() - getX();
+        return getParent().getWidth() - getParent().getInsets().right - getX();
     }
 
     private LegendRows<LegendEntry> rows(double width) {

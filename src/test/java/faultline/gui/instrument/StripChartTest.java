@@ -236,6 +236,31 @@ class StripChartTest {
         }
     }
 
+    /** The samples of the lines are in the middle if there is one row. */
+    @Test
+    void theLegendHasOneRowOnlyIfItsNamesFitIntoIt() {
+        Color colour = callOnEdt(
+                        () -> chart.view().scale().orElseThrow().signal().lines())
+                .get(0)
+                .style(Theme.LIGHT)
+                .colour();
+        for (int width = 400; width < WIDTH; width++) {
+            int chartWidth = width;
+            boolean fits = callOnEdt(() -> {
+                SampleRuns.render(chart, chartWidth, HEIGHT);
+                return legend().getWidth() >= legend().getMaximumSize().width;
+            });
+            BufferedImage picture =
+                    callOnEdt(() -> SampleRuns.render(legend(), legend().getWidth(), legend().getHeight()));
+            BufferedImage middle = picture.getSubimage(0, picture.getHeight() / 2 - 1, picture.getWidth(), 2);
+            assertEquals(fits, SampleRuns.count(middle, colour) > 5, "at " + width);
+        }
+    }
+
+    private StripLegend legend() {
+        return ComponentFinder.findAll(chart, StripLegend.class).findFirst().orElseThrow();
+    }
+
     @Test
     void aLowChartHasRoomForItsLinesBeforeThatOfTheirNames() {
         TimeSpan span = TimeSpan.DEFAULT.endingAt(FRAME.snapshot().time());
