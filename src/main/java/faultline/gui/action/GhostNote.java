@@ -3,6 +3,8 @@ package faultline.gui.action;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ComparisonController.PendingReference;
 import faultline.gui.text.Messages;
+import faultline.io.MessageText;
+import java.io.File;
 import java.util.function.LongSupplier;
 
 /** Keeps a note about the progress of a reference run that takes longer than half a second. */
@@ -10,6 +12,7 @@ final class GhostNote {
 
     private static final long NANOS_BEFORE_NOTE = 500_000_000;
     private static final int PERCENT = 100;
+    private static final int MAX_NAME_LENGTH = 14;
 
     private final ComparisonController controller;
     private final Notes notes;
@@ -47,6 +50,15 @@ final class GhostNote {
 
     private static String format(PendingReference pending) {
         int percent = (int) (PERCENT * pending.progress().fraction().orElse(0));
-        return Messages.get("ghost.progress", Integer.toString(percent), pending.name());
+        return Messages.get("ghost.progress", Integer.toString(percent), shortName(pending.name()));
+    }
+
+    /** Returns a name that leaves room for the state of the run: of a long command, the file that it runs. */
+    static String shortName(String name) {
+        if (name.length() <= MAX_NAME_LENGTH) {
+            return name;
+        }
+        String end = name.substring(name.lastIndexOf(File.separatorChar) + 1);
+        return end.length() <= MAX_NAME_LENGTH ? end : MessageText.start(end, MAX_NAME_LENGTH - 1) + "…";
     }
 }

@@ -67,10 +67,20 @@ class GhostNoteTest {
             assertEquals(List.of(), kept);
             time++;
             note.update();
-            assertEquals(List.of("Simulating the ghost: 0 %; Simulation > Remove ghost cancels (long.xml)"), kept);
+            assertEquals(List.of("Ghost long.xml: 0 %; Remove ghost cancels"), kept);
         });
         runOnEdt(controller::cancelPending);
         runOnEdt(note::update);
         assertEquals(List.of(), callOnEdt(() -> kept));
+    }
+
+    @Test
+    void ofALongCommandTheFileIsNamed() {
+        String folder = Path.of("home", "someone", "controllers").toString();
+        assertEquals("python3 run.py", GhostNote.shortName("python3 run.py"));
+        assertEquals(
+                "follower.py -g",
+                GhostNote.shortName("python3 " + Path.of(folder, "follower.py").toString() + " -g"));
+        assertEquals("A scenario wi…", GhostNote.shortName("A scenario with a long name"));
     }
 }

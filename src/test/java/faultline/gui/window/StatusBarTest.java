@@ -265,6 +265,22 @@ class StatusBarTest {
         assertEquals(2, shown());
     }
 
+    /** A note about a ghost in the making with a name of the greatest length, in a small window. */
+    @Test
+    void theStateAndThePoseOfTheRunAreShownBesideTheProgressOfAGhost() {
+        for (Language language : Language.values()) {
+            runOnEdt(() -> {
+                Messages.setLanguage(language);
+                bar.setSize(1020, 28);
+                RefreshSteps.run(bar);
+                bar.showNote(Messages.get("ghost.progress", "99", "a_follower.py…"));
+            });
+            long cells = shown();
+            runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
+            assertTrue(cells >= 5, language + ": " + cells);
+        }
+    }
+
     @Test
     void aCellGrowsForATextThatIsLongerThanUsual() {
         runOnEdt(() -> {
