@@ -5,6 +5,7 @@ import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 
 /** The shapes of the palette, placed by a click in their default size or drawn from corner to corner. */
@@ -32,6 +33,11 @@ public enum ShapePreset {
         this.width = width;
         this.height = height;
         this.regular = regular;
+    }
+
+    /** Returns the usual id of an obstacle of this shape, in the words of the menu. */
+    public String id() {
+        return this == ANGLE ? "l-shape" : name().toLowerCase(Locale.ROOT);
     }
 
     /** Returns an obstacle of the default size, given its id and its centre, metres. */

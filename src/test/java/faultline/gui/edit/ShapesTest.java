@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.text.Messages;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -24,6 +26,15 @@ class ShapesTest {
     void aRectangleIsDrawnFromCornerToCorner() {
         Obstacle box = ShapePreset.RECTANGLE.createBetween("box", new Vector2(2, 3), new Vector2(1, 2.5));
         assertEquals(new Obstacle("box", new ObstacleShape.RectangleShape(1, 0.5), new Pose(1.5, 2.75, 0)), box);
+    }
+
+    @Test
+    void anIdIsInTheWordsOfTheMenu() {
+        for (ShapePreset shape : ShapePreset.values()) {
+            String item = Messages.get("action.place" + shape.name().charAt(0)
+                    + shape.name().substring(1).toLowerCase(Locale.ROOT));
+            assertEquals(item.replace("&", "").replace(' ', '-').toLowerCase(Locale.ROOT), shape.id());
+        }
     }
 
     @Test

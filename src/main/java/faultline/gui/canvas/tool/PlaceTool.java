@@ -8,7 +8,6 @@ import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import java.util.List;
-import java.util.Locale;
 
 /** Places a shape by a click, or by a drag from corner to corner. */
 public final class PlaceTool implements Tool {
@@ -32,7 +31,7 @@ public final class PlaceTool implements Tool {
     }
 
     private String newId() {
-        return context.model().newId(shape.name().toLowerCase(Locale.ROOT));
+        return context.model().newId(shape.id());
     }
 
     @Override
