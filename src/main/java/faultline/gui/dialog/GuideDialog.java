@@ -12,6 +12,7 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Window;
+import java.util.concurrent.Callable;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
 import javax.swing.JEditorPane;
@@ -25,11 +26,15 @@ final class GuideDialog extends JDialog {
     private static final Dimension SIZE = new Dimension(620, 560);
 
     private final JEditorPane pane;
+    /** Loads the page in the background. */
+    private final transient Callable<GuidePage> loader;
     /** The number of times that the page has been loaded again. */
     private int loads;
 
-    private GuideDialog(Window owner, GuidePage page) {
+    /** Creates a dialog that is not yet visible, given the first page and what loads a later one. */
+    GuideDialog(Window owner, GuidePage page, Callable<GuidePage> loader) {
         super(owner, ModalityType.MODELESS);
+        this.loader = loader;
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         // A scroll bar that comes and goes would lay out the text twice.
@@ -50,7 +55,7 @@ final class GuideDialog extends JDialog {
         if (isShowing()) {
             int number = ++loads;
             BackgroundTasks.compute(
-                    GuidePage::load,
+                    loader,
                     page -> {
                         // A page that was requested before a later change may be loaded last.
                         if (number == loads) {
@@ -94,7 +99,7 @@ final class GuideDialog extends JDialog {
             // The owner has been closed. Packing its dialog would keep the program from exiting.
             return;
         }
-        GuideDialog dialog = new GuideDialog(owner, page);
+        GuideDialog dialog = new GuideDialog(owner, page, GuidePage::load);
         EventQueue.invokeLater(() -> {
             ScreenFit.pack(dialog);
             EventQueue.invokeLater(() -> dialog.showUnlessOpen(owner));
