@@ -3,8 +3,11 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 
+import faultline.gui.BackgroundThreads;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
@@ -46,6 +49,10 @@ class ProgressDialogRobotTest {
         driver.type(KeyEvent.VK_PERIOD);
         driver.waitForFrame("one tick is made", frame -> frame.snapshot().tick() == 1);
         line = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
+        goToTheEnd();
+    }
+
+    private void goToTheEnd() {
         runOnEdt(line::requestFocusInWindow);
         driver.robot().waitFor("the line has the focus", line::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_END);
@@ -92,6 +99,27 @@ class ProgressDialogRobotTest {
         driver.robot().waitFor("the button has the focus", cancel::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_SPACE);
         assertRunIsUnchanged(dialog);
+    }
+
+    @Test
+    void theKeyThatQuitsClosesTheWindowAndCancelsTheSeek() {
+        JDialog dialog = driver.dialog(DIALOG);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
+        assertFalse(callOnEdt(dialog::isDisplayable));
+        BackgroundThreads.awaitEnd();
+    }
+
+    @Test
+    void aSeekContinuesBehindTheQuestionWhetherToSave() {
+        driver.clickButton(DIALOG, "Cancel");
+        driver.drag(0, 20, 0);
+        goToTheEnd();
+        JDialog dialog = driver.dialog(DIALOG);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.clickButton("Unsaved changes", "Cancel");
+        assertSame(dialog, driver.dialog(DIALOG));
+        driver.clickButton(DIALOG, "Cancel");
     }
 
     private void assertRunIsUnchanged(JDialog dialog) {
