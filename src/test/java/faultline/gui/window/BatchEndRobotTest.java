@@ -19,6 +19,7 @@ import java.awt.SecondaryLoop;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.beans.PropertyChangeListener;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -203,6 +204,38 @@ class BatchEndRobotTest {
         answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
         driver.clickButton("Unsaved changes", "Save");
         driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
+        assertNothingIsLeft();
+    }
+
+    /** The event that says that the results are saved is paused before it asks what else would be lost. */
+    @Test
+    void aDialogThatIsClosedAgainDuringTheSaveAsksNothingAfterIt() throws Exception {
+        CountDownLatch saved = new CountDownLatch(1);
+        CountDownLatch handled = new CountDownLatch(1);
+        SecondaryLoop pause = callOnEdt(
+                () -> Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop());
+        JDialog dialog = startBatch("1", "3");
+        waitForRuns(dialog, 9);
+        driver.robot().waitFor("the batch has ended", button(dialog, "Save results…")::isEnabled);
+        PropertyChangeListener listener = event -> {
+            if (String.valueOf(event.getNewValue()).contains("Saved as kept")) {
+                EventQueue.invokeLater(saved::countDown);
+                pause.enter();
+                EventQueue.invokeLater(handled::countDown);
+            }
+        };
+        runOnEdt(() -> ComponentFinder.findAll(dialog, JLabel.class)
+                .forEach(label -> label.addPropertyChangeListener("text", listener)));
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        answerLoss(KeyEvent.VK_ENTER);
+        driver.enterFile("Save results of the batch to a new folder", folder.resolve("kept"));
+        saved.await();
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        answerLoss(KeyEvent.VK_RIGHT, KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+        runOnEdt(pause::exit);
+        handled.await();
+        assertEquals(0, callOnEdt(() -> lossQuestion().count()));
         assertNothingIsLeft();
     }
 
