@@ -40,12 +40,11 @@ public final class ReferenceRun {
         RunMeter meter = new RunMeter(journal.setup());
         JournalPlayer replay = new JournalPlayer(journal);
         record(simulation, recorder, meter);
+        throwUnless(shouldContinue, simulation.ticks());
         while (simulation.ticks() < size - 1) {
-            if (!shouldContinue.test(simulation.ticks())) {
-                throw new CancellationException("given up at tick " + simulation.ticks());
-            }
             replay.tick(simulation);
             record(simulation, recorder, meter);
+            throwUnless(shouldContinue, simulation.ticks());
         }
         recording = recorder.view();
         path = simulation.frame().path();
@@ -57,13 +56,19 @@ public final class ReferenceRun {
      * {@link HashTraceRecorder#MAX_HASHES} hashes}
      *
      * @param journal the journal of the earlier run
-     * @param shouldContinue called before each tick with the tick before; false cancels the run
+     * @param shouldContinue called with 0 and after each tick with its number; false cancels the run
      * @throws RunFailedException if the controller threw an exception
      * @throws CancellationException if the run was cancelled
      */
     public static ReferenceRun replay(Journal journal, LongPredicate shouldContinue) {
         try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT)) {
             return new ReferenceRun(journal, simulation, shouldContinue);
+        }
+    }
+
+    private static void throwUnless(LongPredicate shouldContinue, long tick) {
+        if (!shouldContinue.test(tick)) {
+            throw new CancellationException("given up at tick " + tick);
         }
     }
 

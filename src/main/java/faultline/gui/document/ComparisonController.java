@@ -110,7 +110,7 @@ public final class ComparisonController implements WorkspaceListener {
             if (tick == 0) {
                 EventQueue.invokeLater(onStarted);
             }
-            progress.setFraction((double) tick / journal.ticks());
+            progress.setFraction((double) tick / Math.max(1, journal.ticks()));
             return true;
         });
         return new RunComparison(name, run, false);

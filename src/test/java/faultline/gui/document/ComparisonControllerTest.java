@@ -26,6 +26,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
@@ -196,6 +197,20 @@ class ComparisonControllerTest {
         assertEquals(result.distanceRms().orElseThrow(), follower.measures().distanceRms());
         assertEquals(RunMeasures.NONE, still.measures());
         assertNotEquals(finalHash(edited), still.hashTrace().hashAt(still.lastTick()));
+    }
+
+    @Test
+    void aGhostWithoutTicksIsShownAndItsControllerHasStarted(@TempDir Path folder) throws Exception {
+        Scenario office = Scenario.load(OFFICE);
+        Path file = folder.resolve("no-tick.xml");
+        office.withSetup(office.setup().withDuration(1e-9)).save(file);
+        open(file);
+        Await.until("the other scenario", () -> workspace.file().equals(Optional.of(file)));
+        AtomicInteger starts = new AtomicInteger();
+        runOnEdt(() -> controller.compareWith(ControllerChoice.of("none"), line -> {}, starts::incrementAndGet));
+        waitFor("the ghost", Optional::isPresent);
+        assertEquals(0, callOnEdt(() -> update().orElseThrow().run().lastTick()));
+        assertEquals(1, starts.get());
     }
 
     @Test
