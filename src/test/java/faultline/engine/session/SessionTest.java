@@ -106,6 +106,17 @@ class SessionTest {
         assertTrue(session.status().failure().orElseThrow().toString().contains("NullPointerException"));
     }
 
+    @Test
+    void aRunThatBrokeNeitherStepsNorResumes() throws Exception {
+        CompletableFuture<List<CommandResult>> results = new CompletableFuture<>();
+        session.send(Collections.singletonList(null), results::complete);
+        results.get(5, TimeUnit.SECONDS);
+        session.step();
+        session.resume();
+        assertEquals(0, session.journal().get(5, TimeUnit.SECONDS).ticks());
+        assertFalse(session.status().running());
+    }
+
     /** A controller that needs a permit for each decision from tick 2 on. */
     private static final class PermittedController implements ControllerSource {
 
