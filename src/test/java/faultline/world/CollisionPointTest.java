@@ -52,6 +52,24 @@ class CollisionPointTest {
         assertTouches("thing", 1.8, 1.04, collisionWith(wall(1.8, 0.98, 1.8, 1.5), Pose.ORIGIN));
     }
 
+    /** The mover is the first in the list, and slides along the line of the two walls. */
+    @Test
+    void ofSeveralObstaclesThatAreTouchedAtOnceTheFirstThatStandsIsNamed() {
+        WaypointPath down = new WaypointPath(0.01, false, List.of(new Vector2(1.9, 0.2)));
+        Obstacle mover = new Obstacle(
+                "mover", new ObstacleShape.RectangleShape(0.2, 0.4), new Pose(1.9, 0.75, 0), down, Obstacle.MATT);
+        Obstacle upper = new Obstacle("upper", wall(1.8, 1.05, 1.8, 1.5), Pose.ORIGIN);
+        Obstacle middle = new Obstacle("middle", wall(1.8, 0.98, 1.8, 1.02), Pose.ORIGIN);
+        assertEquals(
+                "upper",
+                collisionIn(new WorldSpec(3, 2, true, 100, List.of(mover, upper, middle)))
+                        .obstacle());
+        assertEquals(
+                "middle",
+                collisionIn(new WorldSpec(3, 2, true, 100, List.of(mover, middle, upper)))
+                        .obstacle());
+    }
+
     @Test
     void aFrontTouchesTheEndOfAWall() {
         assertTouches("thing", 1.8, 1.03, collisionWith(wall(1.8, 1.03, 2.2, 1.1), Pose.ORIGIN));
