@@ -69,6 +69,7 @@ class RecorderTest {
             double measuredDistance,
             double leftVolts,
             double rightVolts,
+            double heading,
             Velocity velocity,
             double trueReading,
             double reportedReading,
@@ -86,6 +87,7 @@ class RecorderTest {
                         s.telemetry().wall().measuredDistance(),
                         s.leftVolts(),
                         s.rightVolts(),
+                        s.pose().heading(),
                         s.velocity(),
                         s.trueReading(2),
                         s.reportedReading(2),
@@ -176,6 +178,9 @@ class RecorderTest {
                 assertEquals(
                         (float) moment.measuredDistance(), level.min(TraceChannels.MEASURED_DISTANCE, moment.tick()));
                 assertEquals((float) moment.leftVolts(), level.min(TraceChannels.LEFT_VOLTS, moment.tick()));
+                double heading = (double) level.min(TraceChannels.HEADING, moment.tick())
+                        + level.min(TraceChannels.HEADING_REST, moment.tick());
+                assertEquals(moment.heading(), heading, 1e-12);
                 assertEquals((float) moment.velocity().linear(), level.min(TraceChannels.VELOCITY, moment.tick()));
                 assertEquals((float) moment.velocity().angular(), level.max(TraceChannels.TURN_RATE, moment.tick()));
                 // 0.1 m/s for each volt, at most 6 V, and 0.18 m between the wheels.
