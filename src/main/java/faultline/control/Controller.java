@@ -13,7 +13,8 @@ public interface Controller {
     Decision decide(Observation observation);
 
     /**
-     * {@return the name that the controller gives itself, on one line, the same at any time; empty if it gives none}
+     * {@return the name that the controller gives itself, on one line, the same at any time; empty if it gives none} An
+     * exception, or a name that is null, ends the run with an error.
      */
     default String name() {
         return "";

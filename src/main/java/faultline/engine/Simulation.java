@@ -21,6 +21,7 @@ import faultline.world.SpatialIndex;
 import faultline.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 
@@ -110,8 +111,6 @@ public final class Simulation implements AutoCloseable {
         this.controller = controllers.get();
         this.foreignController = isForeign ? controller : null;
         this.controllerSpec = setup.controller();
-        // Read before another thread may use the controller.
-        this.controllerName = controller.name();
         this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
         this.commandListener = listener;
@@ -119,11 +118,21 @@ public final class Simulation implements AutoCloseable {
         this.previousReadings = new double[readings.length];
         this.timeline = new Timeline(setup);
         try {
+            // Read before another thread may use the controller.
+            this.controllerName = nameOf(controller);
             executeDueCommands(0);
             senseAndSubmit();
         } catch (RuntimeException | Error e) {
             closeAfter(e);
             throw e;
+        }
+    }
+
+    private static String nameOf(Controller controller) {
+        try {
+            return Objects.requireNonNull(controller.name(), "name");
+        } catch (RuntimeException | Error e) {
+            throw RunFailedException.ofController(0, e);
         }
     }
 
