@@ -307,7 +307,8 @@ public sealed interface Command {
      * Moves an obstacle: it is rotated where it stands, and then moved. If its new pose overlaps the robot, the
      * obstacle slides there along a straight line and stops at first contact, which counts as a collision; a new pose
      * that is free is reached even if the robot is in between. Refused if the obstacle overlaps the robot when it is
-     * rotated.
+     * rotated, or if rounding hides where it touches the robot, which may be so for a side of a kilometre that slides
+     * along it.
      *
      * @param obstacle the obstacle's id
      * @param pose the new pose

@@ -117,6 +117,24 @@ class WorldCommandsTest {
         assertEquals(0, collision.time());
     }
 
+    /** The first block slides over the robot, and the second one along it for more steps than there may be. */
+    @Test
+    void aSlideWhoseContactIsHiddenByRoundingIsRefused() {
+        assertSlideIsRefused(new Pose(5, 5, 0), 1, 2000, new Pose(5.625000003, 5, 0), new Pose(5.125000003, -495, 0));
+        assertSlideIsRefused(
+                new Pose(8.2, 6.5, 0), 2300, 0.17, new Pose(8.6, 6.314999999, 0), new Pose(-492, 6.315002001, 0));
+    }
+
+    private static void assertSlideIsRefused(Pose robot, double width, double height, Pose from, Pose to) {
+        Obstacle block = new Obstacle("block", new ObstacleShape.RectangleShape(width, height), from);
+        World world = new World(new WorldSpec(10, 10, false, 3, List.of(block)), RobotSpec.DEFAULT, robot, 0.01, 1);
+        assertEquals(
+                Optional.of(new Refusal(Refusal.Reason.OVERLAPS_ROBOT, "block")),
+                world.execute(new Command.MoveObstacle("block", to)).refusal());
+        assertEquals(List.of(block), world.snapshot().obstacles());
+        assertTrue(world.collision().isEmpty());
+    }
+
     @Test
     void anObstacleThatTouchesTheRobotComesBackWhenItsRemovalIsUndone() {
         for (double heading : List.of(0.0, 0.1, 0.7, 1.3, StrictMath.PI / 4)) {
