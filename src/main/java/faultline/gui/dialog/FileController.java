@@ -63,7 +63,8 @@ public final class FileController {
                 "importPlan",
                 () -> runIfChangesHandled(() -> fileDialogs
                         .chooseFloorPlan()
-                        .ifPresent(plan -> importPlan(plan, FileController::doNothing, FileController::doNothing)))));
+                        .flatMap(plan -> ImportForm.showDialog(parent, plan))
+                        .ifPresent(documentStore::create))));
         actions.add(UiAction.of("revert", this::revert));
         actions.add(UiAction.of("save", this::save)
                 .withAccelerator(menuShortcut(KeyEvent.VK_S))
@@ -94,7 +95,7 @@ public final class FileController {
 
     /** Opens a file with a given reader, and discards unsaved changes. */
     public void openWithoutAsking(Path file, Callable<Scenario> reader) {
-        documentStore.open(file, reader, FileController::doNothing);
+        documentStore.open(file, reader);
     }
 
     /** Opens a shipped scenario and discards unsaved changes. */
@@ -102,17 +103,22 @@ public final class FileController {
         documentStore.openShipped(name);
     }
 
-    /** Opens a file, or imports it if it is a floor plan. */
-    public void open(Path file) {
-        open(file, FileController::doNothing, FileController::doNothing);
-    }
-
-    /** Opens the first of some files, as {@link #open(Path)}; {@code note} receives that the others are not opened. */
-    void openFirst(List<Path> files, Consumer<String> note) {
-        open(
-                files.get(0),
-                () -> noteOthers("note.firstOpened", files, note),
-                () -> noteOthers("note.firstNotOpened", files, note));
+    /**
+     * Opens the first of some files, or imports it if it is a floor plan; {@code note} receives that the others are not
+     * opened.
+     */
+    public void openFirst(List<Path> files, Consumer<String> note) {
+        Path first = files.get(0);
+        Runnable then = () -> noteOthers("note.firstOpened", files, note);
+        Runnable otherwise = () -> noteOthers("note.firstNotOpened", files, note);
+        runIfChangesHandled(() -> {
+            if (FloorPlanFiles.isFloorPlan(first)) {
+                ImportForm.showDialog(parent, first)
+                        .ifPresentOrElse(scenario -> documentStore.create(scenario, then, otherwise), otherwise);
+            } else {
+                documentStore.open(first, then, otherwise);
+            }
+        });
     }
 
     private static void noteOthers(String key, List<Path> files, Consumer<String> note) {
@@ -132,21 +138,6 @@ public final class FileController {
                     openFirst(files, note);
                 },
                 note);
-    }
-
-    private void open(Path file, Runnable then, Runnable otherwise) {
-        runIfChangesHandled(() -> {
-            if (FloorPlanFiles.isFloorPlan(file)) {
-                importPlan(file, then, otherwise);
-            } else {
-                documentStore.open(file, then, otherwise);
-            }
-        });
-    }
-
-    private void importPlan(Path file, Runnable then, Runnable otherwise) {
-        ImportForm.showDialog(parent, file)
-                .ifPresentOrElse(scenario -> documentStore.create(scenario, then, otherwise), otherwise);
     }
 
     /** Opens a scenario that is part of the program. */

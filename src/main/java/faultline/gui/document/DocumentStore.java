@@ -33,9 +33,9 @@ public final class DocumentStore {
         open(file, () -> Scenario.load(file), then, otherwise);
     }
 
-    /** Opens a scenario file with a given reader; {@code then} runs when it is open. */
-    public void open(Path file, Callable<Scenario> reader, Runnable then) {
-        open(file, reader, then, () -> {});
+    /** Opens a scenario file with a given reader. */
+    public void open(Path file, Callable<Scenario> reader) {
+        open(file, reader, () -> {}, () -> {});
     }
 
     private void open(Path file, Callable<Scenario> reader, Runnable then, Runnable otherwise) {

@@ -56,6 +56,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
@@ -125,7 +126,7 @@ public final class MainWindow extends JFrame {
         timelineActions = addTimelineActions();
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
-        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
+        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), this::openRecent), 2);
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
@@ -239,6 +240,10 @@ public final class MainWindow extends JFrame {
         PreferenceActions choices = new PreferenceActions(preferences, actionRegistry, this::showLanguage);
         actionRegistry.add(themeAction.action());
         PreferencesDialog.addTo(actionRegistry, this, preferences, choices, themeAction);
+    }
+
+    private void openRecent(Path file) {
+        fileController.openFirst(List.of(file), this::showNote);
     }
 
     private boolean commitPendingEdit() {
