@@ -72,6 +72,11 @@ record StripData(TraceLevel level, List<String> sensors, long from, long to, dou
         float max(long bucket) {
             return (float) (factor * level.max(channel, bucket));
         }
+
+        /** Returns the middle between the two. */
+        float middle(long bucket) {
+            return (min(bucket) + max(bucket)) / 2;
+        }
     }
 
     /** Returns the values of a line; empty if the robot lacks its sensor. */

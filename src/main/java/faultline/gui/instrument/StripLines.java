@@ -85,7 +85,7 @@ final class StripLines {
         for (long bucket = data.from(); bucket < data.to(); bucket++) {
             part.add(
                     shaded[(int) (bucket - data.from())]
-                            ? new Vector2(data.timeOf(bucket), (values.min(bucket) + values.max(bucket)) / 2)
+                            ? new Vector2(data.timeOf(bucket), values.middle(bucket))
                             : GAP);
         }
         return part;
@@ -118,7 +118,7 @@ final class StripLines {
             double time = data.timeOf(bucket);
             float low = values.min(bucket);
             float high = values.max(bucket);
-            middle.add(new Vector2(time, (low + high) / 2));
+            middle.add(new Vector2(time, values.middle(bucket)));
             if (Float.isFinite(low)) {
                 lower.add(new Vector2(time, low));
                 upper.add(new Vector2(time, high));
