@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.FileTransferable;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
-import java.io.File;
 import java.net.URI;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -28,8 +28,7 @@ class FileDropHandlerTest {
     @Test
     void theDroppedFilesArePassedOnAfterTheDrop() {
         runOnEdt(() -> {
-            assertTrue(
-                    drop.importData(support(new FileListTransferable(List.of(new File("a.xml"), new File("b.xml"))))));
+            assertTrue(drop.importData(support(new FileTransferable(List.of(Path.of("a.xml"), Path.of("b.xml"))))));
             assertEquals(List.of(), opened, "the other program would wait for the answer to a question");
         });
         runOnEdt(() -> assertEquals(List.of(List.of(Path.of("a.xml"), Path.of("b.xml"))), opened));
@@ -38,7 +37,7 @@ class FileDropHandlerTest {
     @Test
     void droppedTextAndEmptyListsAreRejected() {
         assertFalse(drop.importData(support(new StringSelection("a.xml"))));
-        assertFalse(drop.importData(support(new FileListTransferable(List.of()))));
+        assertFalse(drop.importData(support(new FileTransferable(List.of()))));
         runOnEdt(() -> assertEquals(List.of(), opened));
     }
 
@@ -61,23 +60,6 @@ class FileDropHandlerTest {
 
     private static TransferSupport support(Transferable what) {
         return new TransferSupport(new JPanel(), what);
-    }
-
-    private record FileListTransferable(List<File> files) implements Transferable {
-        @Override
-        public DataFlavor[] getTransferDataFlavors() {
-            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-        }
-
-        @Override
-        public boolean isDataFlavorSupported(DataFlavor flavor) {
-            return flavor.equals(DataFlavor.javaFileListFlavor);
-        }
-
-        @Override
-        public Object getTransferData(DataFlavor flavor) {
-            return files;
-        }
     }
 
     /** Links as a file manager passes them on, in none of which Java finds a file. */

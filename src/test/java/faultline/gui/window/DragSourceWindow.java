@@ -1,8 +1,7 @@
 package faultline.gui.window;
 
+import faultline.gui.FileTransferable;
 import java.awt.Dialog;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.Transferable;
 import java.awt.dnd.DnDConstants;
 import java.awt.dnd.DragSource;
 import java.awt.dnd.DragSourceAdapter;
@@ -48,23 +47,5 @@ final class DragSourceWindow {
         int screen = frame.getToolkit().getScreenSize().width;
         frame.setBounds(screen - WIDTH - MARGIN, 3 * MARGIN, WIDTH, HEIGHT);
         return frame;
-    }
-
-    /** A list of files. */
-    private record FileTransferable(List<Path> files) implements Transferable {
-        @Override
-        public DataFlavor[] getTransferDataFlavors() {
-            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-        }
-
-        @Override
-        public boolean isDataFlavorSupported(DataFlavor flavor) {
-            return flavor.equals(DataFlavor.javaFileListFlavor);
-        }
-
-        @Override
-        public Object getTransferData(DataFlavor flavor) {
-            return files.stream().map(Path::toFile).toList();
-        }
     }
 }
