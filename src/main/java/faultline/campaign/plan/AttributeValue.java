@@ -15,8 +15,8 @@ sealed interface AttributeValue {
     /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
     String text(UniformSource numbers, long block);
 
-    /** Returns what is drawn for it; nothing if it is the same in every run. */
-    List<DrawnValue> draws();
+    /** Returns the ranges from which it is drawn; none if it is the same in every run. */
+    List<DrawRange> ranges();
 
     /** A text that is the same in every run. */
     record FixedValue(String text) implements AttributeValue {
@@ -26,7 +26,7 @@ sealed interface AttributeValue {
         }
 
         @Override
-        public List<DrawnValue> draws() {
+        public List<DrawRange> ranges() {
             return List.of();
         }
     }
@@ -39,8 +39,8 @@ sealed interface AttributeValue {
         }
 
         @Override
-        public List<DrawnValue> draws() {
-            return List.of(this);
+        public List<DrawRange> ranges() {
+            return List.of(range);
         }
     }
 
@@ -57,8 +57,8 @@ sealed interface AttributeValue {
         }
 
         @Override
-        public List<DrawnValue> draws() {
-            return Stream.concat(first.draws().stream(), second.draws().stream())
+        public List<DrawRange> ranges() {
+            return Stream.concat(first.ranges().stream(), second.ranges().stream())
                     .toList();
         }
     }

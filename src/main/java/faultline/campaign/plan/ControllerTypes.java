@@ -53,11 +53,10 @@ final class ControllerTypes {
     }
 
     private static Stream<String> texts(AttributeValue value) {
-        return value.draws().isEmpty()
+        return value.ranges().isEmpty()
                 ? Stream.of(value.text((stream, block) -> 0, 0))
-                : value.draws().stream()
-                        .flatMap(drawn -> drawn.range() instanceof DrawRange.Words choice
-                                ? choice.words().stream()
-                                : Stream.of());
+                : value.ranges().stream()
+                        .flatMap(range ->
+                                range instanceof DrawRange.Words choice ? choice.words().stream() : Stream.of());
     }
 }

@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -24,10 +23,10 @@ final class FactorReader {
     /** The maximum number of sensors of which all combinations are tried. */
     private static final int MAX_MASKED = 16;
 
-    /** The attributes of the root element that every run has of its own, by what to do instead. */
-    private static final Map<String, String> OWN_OF_RUNS = Map.of(
-            "seed", "another attribute; <seeds> gives the runs their seeds",
-            "name", "another attribute; every run is named after its number");
+    private static final AttributePath SEED = new AttributePath(List.of(), "seed");
+
+    /** The column of a plan that set the seed would show values that no run had. */
+    private static final String NOT_SEED = "another attribute; <seeds> gives the runs their seeds";
 
     private final Problems problems;
 
@@ -75,9 +74,9 @@ final class FactorReader {
         if (path.isEmpty() && fields.isValid("attribute", text)) {
             fields.report("attribute", text, Allowed.UNTRANSLATED.with(AttributePath.RULE));
         }
-        path.filter(found -> found.steps().isEmpty())
-                .map(found -> OWN_OF_RUNS.get(found.attribute()))
-                .ifPresent(rule -> fields.report("attribute", text, Allowed.UNTRANSLATED.with(rule)));
+        if (path.filter(SEED::equals).isPresent()) {
+            fields.report("attribute", text, Allowed.UNTRANSLATED.with(NOT_SEED));
+        }
         return path;
     }
 

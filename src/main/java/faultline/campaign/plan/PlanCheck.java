@@ -9,19 +9,16 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
  * Tries every level of every factor in every kind of world of a plan, one level at a time, so that an invalid value is
- * reported at its location in the plan before any run. Draws are tried at the ends of their ranges: first all of a
- * level at the same end, then, if there is no problem, every combination close to the ends. After very many trials or
- * problems, only the constant changes are tried in each further world.
+ * reported at its location in the plan before any run. Draws are tried at the ends of their ranges. After very many
+ * trials or problems, only the constant changes are tried in each further world.
  */
 final class PlanCheck {
 
@@ -51,42 +48,29 @@ final class PlanCheck {
 
     void check(PlanWorlds worlds, List<Factor> factors) throws ScenarioException {
         boolean typeVaries = factors.stream().anyMatch(PlanCheck::setsType);
-        List<CheckedWorld> checked = new ArrayList<>();
         for (WorldSource source : worlds.kinds()) {
-            apply(source).ifPresent(world -> {
-                checked.add(world);
-                check(world, List.of(), DrawTrials.alike(List.of()), typeVaries);
-                check(world, factors, DrawTrials::alike, typeVaries);
-            });
+            check(source, factors, typeVaries);
         }
-        problems.throwIfAny();
-        checked.forEach(world -> check(world, factors, DrawTrials::mixed, typeVaries));
         problems.throwIfAny();
     }
 
-    /** Returns a world with the constant changes; empty, with problems, if it is not valid. */
-    private Optional<CheckedWorld> apply(WorldSource source) {
+    private void check(WorldSource source, List<Factor> factors, boolean typeVaries) {
+        XmlElement root;
         try {
-            XmlElement root = plan.apply(source.root(0), constants, (stream, block) -> 0, 0);
-            return Optional.of(new CheckedWorld(source.label(0), root, size(root)));
+            root = plan.apply(source.root(0), constants, (stream, block) -> 0, 0);
         } catch (ScenarioException e) {
             report(source.label(0), e.problems(), List.of());
-            return Optional.empty();
+            return;
         }
-    }
-
-    private void check(
-            CheckedWorld world,
-            List<Factor> factors,
-            Function<List<ScenarioChange>, List<AttributeValue.UniformSource>> trials,
-            boolean typeVaries) {
+        CheckedWorld world = new CheckedWorld(source.label(0), root, size(root));
+        check(world, List.of(), typeVaries);
         for (Factor factor : factors) {
             boolean otherSetsType = typeVaries && !setsType(factor);
             for (Factor.Level level : factor.levels()) {
                 if (isEnough()) {
                     return;
                 }
-                check(world, level.edits(), trials.apply(level.edits()), otherSetsType);
+                check(world, level.edits(), otherSetsType);
             }
         }
     }
@@ -116,16 +100,15 @@ final class PlanCheck {
                         && set.path().isControllerType());
     }
 
-    /** Tries some changes of a world, given whether another factor also sets the type of the controller. */
-    private void check(
-            CheckedWorld world,
-            List<ScenarioChange> edits,
-            List<AttributeValue.UniformSource> trials,
-            boolean typeVaries) {
-        for (int i = 0; i < trials.size() && (i == 0 || !isEnough()); i++) {
+    /** Checks some changes of a world, given whether another factor also sets the type of the controller. */
+    private void check(CheckedWorld world, List<ScenarioChange> edits, boolean typeVaries) {
+        for (double uniform : uniforms(edits)) {
+            if (uniform > 0 && isEnough()) {
+                return;
+            }
             tried += world.size + edits.size();
             try {
-                Scenario scenario = Scenario.read("", plan.apply(world.root, edits, trials.get(i), 0));
+                Scenario scenario = Scenario.read("", plan.apply(world.root, edits, (stream, block) -> uniform, 0));
                 if (scenario.setup().controller() instanceof ControllerSpec.Extern && !typeVaries) {
                     Problem outside = new Problem("", SourceLocation.NONE, PlanProblem.EXTERN.with());
                     report(world.name, List.of(outside), edits);
@@ -134,6 +117,26 @@ final class PlanCheck {
                 report(world.name, e.problems(), edits);
             }
         }
+    }
+
+    /**
+     * Returns the draws that give both ends of every interval and every word of every choice; one draw if nothing is
+     * drawn.
+     */
+    private static Set<Double> uniforms(List<ScenarioChange> edits) {
+        Set<Double> uniforms = new TreeSet<>(Set.of(0.0));
+        edits.stream()
+                .flatMap(edit -> edit.values().stream())
+                .flatMap(value -> value.ranges().stream())
+                .forEach(range -> {
+                    uniforms.add(Math.nextDown(1.0));
+                    if (range instanceof DrawRange.Words choice) {
+                        for (int i = 0; i < choice.words().size(); i++) {
+                            uniforms.add((i + 0.5) / choice.words().size());
+                        }
+                    }
+                });
+        return uniforms;
     }
 
     /**
