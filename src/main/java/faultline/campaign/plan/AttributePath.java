@@ -26,7 +26,7 @@ record AttributePath(List<PathStep> steps, String attribute) {
             "a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration";
 
     /** An element; its id may have slashes and brackets, but not a closing bracket before a slash. */
-    private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[(.+?)])?/");
+    private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[((?:(?!]/).)+)])?/", Pattern.DOTALL);
 
     private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
 

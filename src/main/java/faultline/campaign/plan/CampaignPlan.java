@@ -1,6 +1,7 @@
 package faultline.campaign.plan;
 
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
@@ -206,10 +207,25 @@ public final class CampaignPlan {
      * @throws ScenarioException if the plan's values, each valid by itself, do not make a valid scenario together
      */
     public Scenario scenario(PlannedRun run) throws ScenarioException {
-        List<ScenarioChange> edits = new ArrayList<>(commonChanges);
-        levels(run.index() % cells).forEach(level -> edits.addAll(level.edits()));
-        XmlElement tree = apply(worlds.root(world(run.block())), edits, sampler, run.block());
+        XmlElement tree = apply(worlds.root(world(run.block())), changes(run), sampler, run.block());
         return Scenario.read(file, withSeed(tree, run));
+    }
+
+    private List<ScenarioChange> changes(PlannedRun run) {
+        List<ScenarioChange> changes = new ArrayList<>(commonChanges);
+        levels(run.index() % cells).forEach(level -> changes.addAll(level.edits()));
+        return changes;
+    }
+
+    /**
+     * {@return whether a problem with the scenario of a run is at one of the plan's changes; otherwise its location is
+     * one in the scenario's own file}
+     *
+     * @param run one of this plan's runs
+     * @param problem a problem of {@link #scenario}
+     */
+    public boolean hasLocationOf(PlannedRun run, Problem problem) {
+        return changes(run).stream().anyMatch(change -> change.location().equals(problem.location()));
     }
 
     private XmlElement withSeed(XmlElement tree, PlannedRun run) throws ScenarioException {

@@ -46,7 +46,7 @@ public final class ReplayScenario {
             }
         }
         String end = "; outcome " + outcome.word();
-        int longest = ScenarioLimits.MAX_DESCRIPTION_LENGTH - end.length();
-        return (text.length() > longest ? MessageText.start(text.toString(), longest - 3) + "..." : text) + end;
+        int longest = ScenarioLimits.MAX_DESCRIPTION_LENGTH - end.length() - "...".length();
+        return MessageText.shortened(text.toString(), longest) + end;
     }
 }

@@ -59,7 +59,7 @@ final class RunMaker {
             String row = ResultColumns.row(run, result, carry, diagnosis);
             return new MadeRun(index, row, false, result.ticks(), secondsSince(start));
         } catch (ScenarioException e) {
-            return broken(run, describe(e.problems().get(0)), start);
+            return broken(run, describe(run, e.problems().get(0)), start);
         } catch (CancellationException e) {
             throw e;
         } catch (RuntimeException e) {
@@ -70,9 +70,14 @@ final class RunMaker {
         }
     }
 
-    /** Names the plan as in its copy, so that a row does not depend on the path under which the plan was read. */
-    private static String describe(Problem problem) {
-        return new Problem(PlanFiles.COPY, problem.location(), problem.message()).toString();
+    /**
+     * Describes a problem of a run with its location in the plan, if it has one. Names the plan as in its copy, so that
+     * a row does not depend on the path under which the plan was read.
+     */
+    private String describe(PlannedRun run, Problem problem) {
+        return plan.hasLocationOf(run, problem)
+                ? new Problem(PlanFiles.COPY, problem.location(), problem.message()).toString()
+                : problem.message().toString();
     }
 
     private static MadeRun broken(PlannedRun run, String why, long start) {
