@@ -69,7 +69,7 @@ public class RunFailedException extends RuntimeException {
     static String describe(Throwable exception) {
         try {
             String text = exception.toString();
-            String start = text.length() > MAX_LENGTH ? MessageText.start(text, MAX_LENGTH) + "..." : text;
+            String start = MessageText.shortened(text, MAX_LENGTH);
             return place(exception.getStackTrace(), Thread.currentThread().getStackTrace())
                     .map(place -> start + " at " + MessageText.start(place.toString(), MAX_LENGTH))
                     .orElse(start);
