@@ -13,8 +13,8 @@ public interface Controller {
     Decision decide(Observation observation);
 
     /**
-     * {@return the name that the controller gives itself, on one line, the same at any time; empty if it gives none} An
-     * exception, or a name that is null, ends the run with an error.
+     * {@return the name that the controller gives itself, on one line, the same at any time, not null; empty if it
+     * gives none} The name of a controller from a {@link java.util.ServiceLoader provider} is that of the provider.
      */
     default String name() {
         return "";

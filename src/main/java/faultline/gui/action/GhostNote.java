@@ -4,7 +4,6 @@ import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ComparisonController.PendingReference;
 import faultline.gui.text.Messages;
 import faultline.io.MessageText;
-import java.io.File;
 import java.util.function.LongSupplier;
 
 /** Keeps a note about the progress of a reference run that takes longer than half a second. */
@@ -53,12 +52,8 @@ final class GhostNote {
         return Messages.get("ghost.progress", Integer.toString(percent), shortName(pending.name()));
     }
 
-    /** Returns a name that leaves room for the state of the run: of a long command, the file that it runs. */
+    /** Returns the start of a long name or command, which leaves room for the state of the run. */
     static String shortName(String name) {
-        if (name.length() <= MAX_NAME_LENGTH) {
-            return name;
-        }
-        String end = name.substring(name.lastIndexOf(File.separatorChar) + 1);
-        return end.length() <= MAX_NAME_LENGTH ? end : MessageText.start(end, MAX_NAME_LENGTH - 1) + "…";
+        return name.length() <= MAX_NAME_LENGTH ? name : MessageText.start(name, MAX_NAME_LENGTH - 1) + "…";
     }
 }

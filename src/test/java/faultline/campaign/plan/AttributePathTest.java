@@ -39,7 +39,8 @@ class AttributePathTest {
                 "@",
                 "robot/@speed/@x",
                 "robot/sensor[a/@on",
-                "robot/sensor[a]b/@on"
+                "robot/sensor[a]b/@on",
+                "robot/sensor[]/x[y]/@on"
             })
     void aTextThatIsNoPathIsRefused(String path) {
         assertEquals(Optional.empty(), AttributePath.parse(path));
@@ -68,7 +69,7 @@ class AttributePathTest {
 
     /** Only a bracket before a slash ends an id. */
     @ParameterizedTest
-    @ValueSource(strings = {"front", "a/b", "a[b]", "[1]", "a]", "[", "/@on", "front nose"})
+    @ValueSource(strings = {"front", "a/b", "a[b]", "[1]", "a]", "[", "/@on", "front nose", "a\u2028b"})
     void anIdMayHaveSlashesAndBrackets(String id) {
         AttributePath path =
                 AttributePath.parse("robot/sensor[" + id + "]/motor[2]/@on").orElseThrow();
