@@ -165,11 +165,12 @@ public final class TimelineEditor {
     private void commit(String key, TimelineItem item, List<TimedCommand> after, Object target, Selections selections) {
         List<TimedCommand> before = model().commands();
         if (!after.equals(before)) {
+            setTimeline(after);
+            // Events of the run stay behind the other commands.
             undo.addSetupEdit(
                     () -> Messages.get(key, TimelineText.title(item)),
                     target,
-                    new TimelineChange(this, before, after, selections));
-            setTimeline(after);
+                    new TimelineChange(this, before, model().commands(), selections));
         }
     }
 

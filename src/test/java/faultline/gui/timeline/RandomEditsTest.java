@@ -141,17 +141,21 @@ class RandomEditsTest {
         assertEquals(before, callOnEdt(() -> workspace.scenario().orElseThrow()), "seed " + seed + ": " + edits);
     }
 
-    private void undoAll() {
-        for (int i = 0; i < 2 * EDITS && callOnEdt(undo::undoName).isPresent(); i++) {
+    /** Returns the number of edits that it has undone. */
+    private int undoAll() {
+        int undone = 0;
+        while (undone < 2 * EDITS && callOnEdt(undo::undoName).isPresent()) {
             runOnEdt(undo::undo);
             awaitRest();
+            undone++;
         }
+        return undone;
     }
 
-    /** Without a restart, what is undone stays on the timeline, with what ends it. */
+    /** Without a restart, what is undone stays on the timeline, with what ends it. The order of the commands counts. */
     @ParameterizedTest
     @MethodSource("seeds")
-    void undoingFaultsAndSwitchesAfterARestartRestoresTheScenario(int seed) {
+    void undoingFaultsAndSwitchesAfterARestartAndRedoingThemRestoresTheScenario(int seed) {
         Path file = Path.of("scenarios", SCENARIOS.get(seed % SCENARIOS.size()) + ".xml");
         runOnEdt(() -> new DocumentStore(workspace).open(file));
         SessionFrames.awaitScenario(workspace);
@@ -164,8 +168,14 @@ class RandomEditsTest {
         }
         runOnEdt(run::restart);
         awaitRest();
-        undoAll();
+        Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
+        int undone = undoAll();
         assertEquals(before, callOnEdt(() -> workspace.scenario().orElseThrow()), "seed " + seed + ": " + edits);
+        for (int i = 0; i < undone; i++) {
+            runOnEdt(undo::redo);
+            awaitRest();
+        }
+        assertEquals(edited, callOnEdt(() -> workspace.scenario().orElseThrow()), "seed " + seed + ": " + edits);
     }
 
     private String event(Random random) {

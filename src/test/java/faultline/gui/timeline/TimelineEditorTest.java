@@ -99,6 +99,24 @@ class TimelineEditorTest {
         assertEquals(List.of(fault, SWITCH), commands());
     }
 
+    /** The run executes the timeline's commands of a tick before the fault, which the repair would remove otherwise. */
+    @Test
+    void commandsOfOneTimeKeepTheirOrderWhenAllStepsAreUndoneAndRedone() {
+        advanceTo(10);
+        edit(() -> sender.send(FAULT));
+        TimedCommand fault = commands().get(0);
+        TimedCommand repair = new TimedCommand(fault.time(), new Command.ClearFaults("left"));
+        edit(() -> timeline.add(TimelineItem.from(repair.command(), repair.time()), null));
+        assertEquals(List.of(repair, fault), commands());
+        edit(run::restart);
+        edit(undo::undo);
+        edit(undo::undo);
+        assertEquals(List.of(), commands());
+        edit(undo::redo);
+        edit(undo::redo);
+        assertEquals(List.of(repair, fault), commands());
+    }
+
     @Test
     void repeatedChangesOfAnItemAreUndoneAndRedoneAtOnce() {
         TimelineItem fault = new TimelineItem(FAULT, 20, 40);
