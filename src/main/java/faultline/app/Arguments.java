@@ -27,8 +27,6 @@ final class Arguments {
 
     private final List<String> files = new ArrayList<>();
     private final Map<String, List<String>> options = new LinkedHashMap<>();
-    /** The options that may be given several times. */
-    private final List<String> repeatable;
 
     /** Parses the arguments of a command with options that take a value. */
     Arguments(List<String> arguments, List<String> known) throws UsageException {
@@ -43,7 +41,6 @@ final class Arguments {
     /** Parses the arguments of a command with flags and with options that may be given several times. */
     Arguments(List<String> arguments, List<String> known, List<String> knownFlags, List<String> repeatable)
             throws UsageException {
-        this.repeatable = repeatable;
         List<String> all = new ArrayList<>(known);
         all.addAll(knownFlags);
         int next = 0;
@@ -55,6 +52,9 @@ final class Arguments {
             }
             String[] parts = argument.split("=", 2);
             requireKnown(parts[0], all);
+            if (options.containsKey(parts[0]) && !repeatable.contains(parts[0])) {
+                throw new UsageException(parts[0] + " is given twice");
+            }
             if (knownFlags.contains(parts[0])) {
                 requireNoValue(parts);
                 add(parts[0], "");
@@ -71,13 +71,10 @@ final class Arguments {
         options.computeIfAbsent(option, first -> new ArrayList<>()).add(value);
     }
 
-    private void requireKnown(String option, List<String> known) throws UsageException {
+    private static void requireKnown(String option, List<String> known) throws UsageException {
         if (!known.contains(option)) {
             throw new UsageException("there is no option " + MessageText.quoted(option) + " here; expected "
                     + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known));
-        }
-        if (options.containsKey(option) && !repeatable.contains(option)) {
-            throw new UsageException(option + " is given twice");
         }
     }
 

@@ -21,6 +21,9 @@ import java.util.stream.Stream;
  */
 record AttributePath(List<PathStep> steps, String attribute) {
 
+    /** The seed of a run, which {@code <seeds>} gives it. */
+    static final AttributePath SEED = new AttributePath(List.of(), "seed");
+
     /** The form of a path, for error messages. */
     static final String RULE =
             "a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration";

@@ -229,10 +229,9 @@ public final class CampaignPlan {
     }
 
     private XmlElement withSeed(XmlElement tree, PlannedRun run) throws ScenarioException {
-        AttributePath seed = new AttributePath(List.of(), "seed");
         AttributePath name = new AttributePath(List.of(), "name");
         ScenarioTree named = new ScenarioTree(tree);
-        named.set(seed, Long.toString(run.seed()), file, SourceLocation.NONE);
+        named.set(AttributePath.SEED, Long.toString(run.seed()), file, SourceLocation.NONE);
         named.set(name, "Run " + run.index(), file, SourceLocation.NONE);
         return named.toElement();
     }

@@ -23,8 +23,6 @@ final class FactorReader {
     /** The maximum number of sensors of which all combinations are tried. */
     private static final int MAX_MASKED = 16;
 
-    private static final AttributePath SEED = new AttributePath(List.of(), "seed");
-
     /** The column of a plan that set the seed would show values that no run had. */
     private static final String NOT_SEED = "another attribute; <seeds> gives the runs their seeds";
 
@@ -74,7 +72,7 @@ final class FactorReader {
         if (path.isEmpty() && fields.isValid("attribute", text)) {
             fields.report("attribute", text, Allowed.UNTRANSLATED.with(AttributePath.RULE));
         }
-        if (path.filter(SEED::equals).isPresent()) {
+        if (path.filter(AttributePath.SEED::equals).isPresent()) {
             fields.report("attribute", text, Allowed.UNTRANSLATED.with(NOT_SEED));
         }
         return path;
