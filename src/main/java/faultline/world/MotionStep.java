@@ -230,18 +230,13 @@ final class MotionStep {
 
     /**
      * Returns the share of a displacement, at the end of which an obstacle overlaps the body, after which it touches
-     * the body. The direction of a short gap beside a side of a kilometre is known to a thousandth only, so the contact
-     * of an obstacle that slides along the body may not be found.
+     * the body; positive infinity if only its inside overlaps.
      */
     private double slideTime(ObstacleGeometry geometry, Vector2 displacement) {
         TimeOfImpact still = new TimeOfImpact(body.spec().length(), body.spec().width(), Velocity.ZERO);
         double stop = NEVER;
-        try {
-            for (ConvexShape part : geometry.parts()) {
-                stop = Math.min(stop, still.firstContactTime(body.pose(), part, displacement, Math.min(stop, 1)));
-            }
-        } catch (World.UnresolvedContactException tooManySteps) {
-            return NEVER;
+        for (ConvexShape part : geometry.parts()) {
+            stop = Math.min(stop, still.slideContactTime(body.pose(), part, displacement, Math.min(stop, 1)));
         }
         return stop;
     }

@@ -89,6 +89,49 @@ final class TimeOfImpact {
                 + " radians in one tick, too far to find its contacts");
     }
 
+    /**
+     * Returns when a shape that slides straight first touches the body, which is at rest. Unlike
+     * {@link #firstContactTime}, this also finds a shape that slides along the body at a short gap and comes nearer by
+     * less than the rounding of the direction of the gap.
+     *
+     * @param pose the body's pose
+     * @param shape the shape at time 0, clear of the body or touching it
+     * @param shapeVelocity the velocity of the shape, metres per second
+     * @param time the duration of the motion, seconds
+     * @return seconds in [0, time], or positive infinity if they do not meet
+     */
+    double slideContactTime(Pose pose, ConvexShape shape, Vector2 shapeVelocity, double time) {
+        double contact;
+        try {
+            contact = firstContactTime(pose, shape, shapeVelocity, time);
+        } catch (World.UnresolvedContactException tooManySteps) {
+            contact = Double.POSITIVE_INFINITY;
+        }
+        return contact <= time ? contact : hiddenContactTime(pose, shape, shapeVelocity, time);
+    }
+
+    /** The distance of two convex shapes is a convex function of the time: a search finds where they overlap. */
+    private double hiddenContactTime(Pose pose, ConvexShape shape, Vector2 shapeVelocity, double time) {
+        OrientedBox box = new OrientedBox(pose, length, width);
+        double reach = box.boundingRadius() + shapeVelocity.length() * time;
+        double low = 0;
+        double high = shape.distanceTo(pose.x(), pose.y()) > reach ? 0 : time;
+        while (high - low > Math.ulp(time)) {
+            double third = (high - low) / 3;
+            double gap = BoxDistance.between(box, shapeAfter(shape, shapeVelocity, low + third))
+                    .distance();
+            double laterGap = BoxDistance.between(box, shapeAfter(shape, shapeVelocity, high - third))
+                    .distance();
+            if (gap == 0 || laterGap == 0) {
+                double overlapping = gap == 0 ? low + third : high - third;
+                return contactTimeBetween(0, overlapping, pose, shape, shapeVelocity);
+            }
+            low = gap > laterGap ? low + third : low;
+            high = gap > laterGap ? high : high - third;
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
     private static ConvexShape shapeAfter(ConvexShape shape, Vector2 velocity, double time) {
         return time == 0 ? shape : shape.translated(velocity.x() * time, velocity.y() * time);
     }
