@@ -33,10 +33,9 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
@@ -162,14 +161,7 @@ class StripContentTest {
         int right = (int) (4 * scale.plot().x(13.5));
         int top = (int) (4 * scale.plot().area().y());
         int[] shaded = image.getRGB(left, top, right - left, image.getHeight() - top, null, 0, right - left);
-        int shade = IntStream.of(shaded)
-                .boxed()
-                .collect(Collectors.groupingBy(pixel -> pixel, Collectors.counting()))
-                .entrySet()
-                .stream()
-                .max(Map.Entry.comparingByValue())
-                .orElseThrow()
-                .getKey();
+        int shade = mostFrequent(shaded);
         long found = 0;
         if (Contrast.of(curve, new Color(shade)) < 3) {
             for (int i = 0; i < shaded.length; i++) {
@@ -185,6 +177,24 @@ class StripContentTest {
             }
         }
         return found;
+    }
+
+    private static int mostFrequent(int[] pixels) {
+        int[] sorted = pixels.clone();
+        Arrays.sort(sorted);
+        int most = 0;
+        int mode = 0;
+        for (int from = 0, to; from < sorted.length; from = to) {
+            to = from + 1;
+            while (to < sorted.length && sorted[to] == sorted[from]) {
+                to++;
+            }
+            if (to - from > most) {
+                most = to - from;
+                mode = sorted[from];
+            }
+        }
+        return mode;
     }
 
     @ParameterizedTest
