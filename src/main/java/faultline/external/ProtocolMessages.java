@@ -125,9 +125,7 @@ final class ProtocolMessages {
     /** Reads the robot of a {@code hello} or {@code observe} message. */
     static RobotSpec readRobot(MessageReader robot) throws ProtocolException {
         try {
-            RobotSpec spec = toRobot(robot);
-            requireWithinLimits(spec);
-            return spec;
+            return toRobot(robot);
         } catch (IllegalArgumentException e) {
             throw new ProtocolException("describes a robot that cannot be", ": " + MessageText.oneLine(e.getMessage()));
         }
@@ -137,54 +135,44 @@ final class ProtocolMessages {
         return NumberRange.closed(Degrees.toRadians(degrees.min()), Degrees.toRadians(degrees.max()), Allowed.UNITLESS);
     }
 
-    /** Throws an exception for a number that no robot of a scenario has, because controllers expect none. */
-    private static void requireWithinLimits(RobotSpec robot) throws ProtocolException {
-        requireWithin("length_m", robot.length(), NumberRange.SIZE);
-        requireWithin("width_m", robot.width(), NumberRange.SIZE);
-        requireWithin("track_m", robot.track(), NumberRange.SIZE);
-        requireWithin("speed_m_s", robot.speed(), NumberRange.POSITIVE_SPEED);
-        requireWithin("turn_rate_rad_s", robot.turnRate(), TURN_RATE);
-        requireWithin("time_constant_s", robot.motor().timeConstant(), NumberRange.TIME_CONSTANT);
-        requireWithin("speed_constant_m_s_v", robot.motor().speedConstant(), NumberRange.SPEED_CONSTANT);
-        requireWithin("max_voltage_v", robot.motor().maxVoltage(), NumberRange.POSITIVE_VOLTAGE);
-        for (SensorSpec sensor : robot.sensors()) {
-            requireWithin("x_m", sensor.mountPosition().x(), NumberRange.COORDINATE);
-            requireWithin("y_m", sensor.mountPosition().y(), NumberRange.COORDINATE);
-            requireWithin("bearing_rad", sensor.bearing(), ANGLE);
-        }
-    }
-
-    private static void requireWithin(String name, double value, NumberRange range) throws ProtocolException {
-        if (value < range.min().doubleValue() || value > range.max().doubleValue()) {
-            throw new ProtocolException(
-                    "describes a robot that cannot be",
-                    ": its " + name + " is " + DecimalText.format(value) + "; expected " + range.rule());
-        }
-    }
-
     private static RobotSpec toRobot(MessageReader robot) throws ProtocolException {
         List<SensorSpec> sensors = new ArrayList<>();
         for (MessageReader sensor : robot.objects("sensors")) {
             sensors.add(new SensorSpec(
                     sensor.string("id"),
-                    new Vector2(sensor.number("x_m"), sensor.number("y_m")),
-                    sensor.number("bearing_rad"),
-                    sensor.number("range_m"),
+                    new Vector2(
+                            number(sensor, "x_m", NumberRange.COORDINATE),
+                            number(sensor, "y_m", NumberRange.COORDINATE)),
+                    number(sensor, "bearing_rad", ANGLE),
+                    number(sensor, "range_m", NumberRange.SENSOR_RANGE),
                     sensor.number("cone_rad"),
                     sensor.flag("on", true),
-                    sensor.has("noise_m") ? sensor.number("noise_m") : 0));
+                    sensor.has("noise_m") ? number(sensor, "noise_m", NumberRange.NOISE) : 0));
         }
         MotorSpec motor = new MotorSpec(
-                robot.number("time_constant_s"), robot.number("speed_constant_m_s_v"), robot.number("max_voltage_v"));
+                number(robot, "time_constant_s", NumberRange.TIME_CONSTANT),
+                number(robot, "speed_constant_m_s_v", NumberRange.SPEED_CONSTANT),
+                number(robot, "max_voltage_v", NumberRange.POSITIVE_VOLTAGE));
         return new RobotSpec(
-                robot.number("length_m"),
-                robot.number("width_m"),
-                robot.number("track_m"),
-                robot.number("speed_m_s"),
-                robot.number("turn_rate_rad_s"),
+                number(robot, "length_m", NumberRange.SIZE),
+                number(robot, "width_m", NumberRange.SIZE),
+                number(robot, "track_m", NumberRange.SIZE),
+                number(robot, "speed_m_s", NumberRange.POSITIVE_SPEED),
+                number(robot, "turn_rate_rad_s", TURN_RATE),
                 motor,
                 DriveScale.NONE,
                 sensors);
+    }
+
+    /** Returns a number of a robot that is within the limits of scenarios, because controllers expect no other. */
+    private static double number(MessageReader source, String name, NumberRange range) throws ProtocolException {
+        double value = source.number(name);
+        if (value < range.min().doubleValue() || value > range.max().doubleValue()) {
+            throw new ProtocolException(
+                    "describes a robot that cannot be",
+                    ": its " + name + " is " + DecimalText.format(value) + "; expected " + range.rule());
+        }
+        return value;
     }
 
     /** Returns the last message of a run, whose summary also says whether the controller was given the ground truth. */

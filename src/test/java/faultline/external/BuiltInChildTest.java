@@ -46,12 +46,12 @@ class BuiltInChildTest {
             "dt_s":0.01     | "dt_s":1.5      |                                | has ticks of 1.5 s; expected from 0.00001 to 1 seconds
             "dt_s":0.01     | "dt_s":{"a":[1,null,"x"]} |                      | wrote a message whose "dt_s" is "{"a":[1,null,"x"]}"; expected a finite number
             "robot":        | "robt":         |                                | wrote a message whose "robot" is missing; expected an object
-            "width_m":0.2   | "width_m":-0.2  |                                | describes a robot that cannot be: the robot's width must be positive: -0.2
+            "width_m":0.2   | "width_m":-0.2  |                                | describes a robot that cannot be: its width_m is -0.2; expected from 0.000001 to 100000 metres
             "length_m":0.25 | "length_m":1e300 |                               | describes a robot that cannot be: its length_m is 1E+300; expected from 0.000001 to 100000 metres
             "track_m":0.18  | "track_m":1e-9  |                                | describes a robot that cannot be: its track_m is 0.000000001; expected from 0.000001 to 100000 metres
             "speed_m_s":0.3 | "speed_m_s":1001 |                               | describes a robot that cannot be: its speed_m_s is 1001; expected more than 0 and at most 1000 metres per second
             "bearing_rad":0,| "bearing_rad":-1e5, |                            | describes a robot that cannot be: its bearing_rad is -100000; expected from -17453.292519943298 to 17453.292519943298
-            "range_m":0.8   | "range_m":1e12  |                                | describes a robot that cannot be: front: range must be from 1.0E-6 to 100000.0: 1.0E12
+            "range_m":0.8   | "range_m":1e12  |                                | describes a robot that cannot be: its range_m is 1000000000000; expected from 0.000001 to 100000 metres
             "front-left"    | "front"         |                                | describes a robot that cannot be: two sensors have the id front
             "protocol":1    | "protocol":1.0  | "readings_m":[],"answers":[]   | wrote an observe message with 0 readings and 0 answers; expected 8 of each, one for each sensor
             "protocol":1    | "protocol":1.0  | "readings_m":[1e999],"answers":[true] | wrote a message whose "readings_m" is "[1e999]"; expected an array of finite numbers
