@@ -10,7 +10,6 @@ import faultline.gui.action.UiAction;
 import faultline.gui.dialog.ControllerActions;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.BackgroundTasks;
-import faultline.gui.document.FileNames;
 import faultline.gui.document.Leaving;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -188,15 +187,12 @@ public final class BatchActions {
     /** Reads results in the background, given their folder or one of its files, and shows them. */
     void openResults(Path chosen) {
         ControllerChoice jars = new ControllerChoice("", controllers.jars());
-        String name = FileNames.lastOf(OpenedResults.folderOf(chosen));
+        String name = OpenedResults.nameOf(chosen);
         Timer reading = new Timer(MILLIS_BEFORE_NOTE, event -> note.accept(Messages.get("batch.opened.reading", name)));
         reading.setRepeats(false);
         reading.start();
         BackgroundTasks.compute(
-                () -> {
-                    Path folder = OpenedResults.folderOf(chosen);
-                    return jars.callWithJars(() -> OpenedResults.read(folder));
-                },
+                () -> jars.callWithJars(() -> OpenedResults.read(chosen)),
                 opened -> {
                     reading.stop();
                     showResults(opened, jars.jars());
@@ -204,7 +200,7 @@ public final class BatchActions {
                 failure -> {
                     reading.stop();
                     if (owner.isDisplayable()) {
-                        showProblem(owner, OpenedResults.failureText(OpenedResults.folderOf(chosen), failure));
+                        showProblem(owner, OpenedResults.failureText(chosen, failure));
                     }
                 });
     }

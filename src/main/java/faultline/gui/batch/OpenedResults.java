@@ -14,6 +14,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
@@ -36,20 +37,37 @@ record OpenedResults(Path folder, CampaignTable table, List<CampaignCell> cells,
         cells = List.copyOf(cells);
     }
 
-    /** Returns the folder that a chosen path means: itself, or that of a file of results. */
-    static Path folderOf(Path chosen) {
-        Path file = chosen.toAbsolutePath();
-        boolean isFile = FILES.contains(String.valueOf(file.getFileName())) && Files.isRegularFile(file);
-        return isFile && file.getParent() != null ? file.getParent() : file;
+    /** Returns the folder that a chosen path means: itself, or that of a file of results. Reads the file system. */
+    private static Path folderOf(Path chosen) {
+        return isNamedAsFile(chosen) && Files.isRegularFile(chosen)
+                ? chosen.toAbsolutePath().getParent()
+                : chosen.toAbsolutePath();
+    }
+
+    private static boolean isNamedAsFile(Path chosen) {
+        return FILES.contains(String.valueOf(chosen.getFileName()));
+    }
+
+    /** Returns the name of the folder that a chosen path seems to mean. */
+    static String nameOf(Path chosen) {
+        Path folder = chosen.toAbsolutePath();
+        return FileNames.lastOf(isNamedAsFile(chosen) && folder.getParent() != null ? folder.getParent() : folder);
     }
 
     /**
-     * Reads the results of a folder.
+     * Reads results.
      *
-     * @throws IOException if it has none, or they are damaged
+     * @param chosen their folder or one of its files
+     * @throws NoSuchFileException if it has none
+     * @throws IOException if they are damaged
      * @throws ScenarioException if the plan beside them is missing or wrong
      */
-    static OpenedResults read(Path folder) throws IOException, ScenarioException {
+    static OpenedResults read(Path chosen) throws IOException, ScenarioException {
+        Path folder = folderOf(chosen);
+        Path runs = folder.resolve("runs.csv");
+        if (!Files.exists(runs)) {
+            throw new NoSuchFileException(runs.toString());
+        }
         CampaignTable table = CampaignTable.read(folder);
         return new OpenedResults(
                 folder,
@@ -83,13 +101,12 @@ record OpenedResults(Path folder, CampaignTable table, List<CampaignCell> cells,
         return table.ofThisProgram() ? text : Messages.get("batch.opened.other", text);
     }
 
-    /** Returns the sentence that says why a folder cannot be opened. */
-    static String failureText(Path folder, Throwable failure) {
-        String name = FileNames.lastOf(folder);
-        if (!Files.exists(folder.resolve("runs.csv"))) {
-            return Messages.get("batch.opened.none", name);
-        }
-        return Messages.get("batch.opened.failed", name, reason(failure));
+    /** Returns the sentence that says why {@link #read} has failed. */
+    static String failureText(Path chosen, Throwable failure) {
+        String name = nameOf(chosen);
+        return failure instanceof NoSuchFileException
+                ? Messages.get("batch.opened.none", name)
+                : Messages.get("batch.opened.failed", name, reason(failure));
     }
 
     private static String reason(Throwable failure) {

@@ -288,9 +288,14 @@ public final class ExportController implements WorkspaceListener {
                 failure -> errorDialog.accept(Messages.get("copy.failed", ErrorMessages.describe(failure))));
     }
 
+    /** Looks for printers, which a print server may take long to list, and then asks how to print. */
     private void print(RenderRequest request) {
+        BackgroundTasks.compute(printers::get, found -> print(request, found), this::printFailed);
+    }
+
+    private void print(RenderRequest request, PrintService... found) {
         // The JDK reports this in its own dialog, in English.
-        if (printers.get().length == 0) {
+        if (found.length == 0) {
             notes.show(Messages.get("note.noPrinter"));
             return;
         }

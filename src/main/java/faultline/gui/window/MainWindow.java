@@ -26,6 +26,7 @@ import faultline.gui.dialog.PreferencesDialog;
 import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.dialog.TextDropHandler;
 import faultline.gui.document.Autosave;
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.FileWatch;
@@ -42,6 +43,7 @@ import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.properties.ScenarioActions;
+import faultline.gui.settings.RecentFiles;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -450,8 +452,8 @@ public final class MainWindow extends JFrame {
 
         @Override
         public void taskFailed(TaskKind what, Path file, Throwable cause) {
-            if (what == TaskKind.OPEN && Files.notExists(file)) {
-                preferences.recentFiles().remove(file);
+            if (what == TaskKind.OPEN) {
+                forgetIfMissing(file);
             }
             if (what == TaskKind.OPEN && controllerActions.openFailed(cause)) {
                 dialogs.showControllerFailure(file, cause);
@@ -464,6 +466,18 @@ public final class MainWindow extends JFrame {
                 openShipped(ShippedScenarios.DEFAULT);
             }
             dialogs.showFailure(what, file, cause, keepsScenario);
+        }
+
+        private void forgetIfMissing(Path file) {
+            RecentFiles recent = preferences.recentFiles();
+            BackgroundTasks.compute(
+                    () -> Files.notExists(file),
+                    missing -> {
+                        if (missing) {
+                            recent.remove(file);
+                        }
+                    },
+                    failure -> {});
         }
     }
 }

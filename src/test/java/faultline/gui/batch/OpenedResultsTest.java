@@ -92,11 +92,11 @@ class OpenedResultsTest {
 
     @Test
     void aFileOfTheResultsStandsForItsFolder() throws Exception {
-        assertEquals(saved, OpenedResults.folderOf(saved));
-        assertEquals(saved, OpenedResults.folderOf(saved.resolve("runs.csv")));
-        assertEquals(saved, OpenedResults.folderOf(saved.resolve("campaign.json")));
-        Path other = Files.writeString(saved.resolve("notes.txt"), "");
-        assertEquals(other, OpenedResults.folderOf(other));
+        for (Path chosen : List.of(saved, saved.resolve("runs.csv"), saved.resolve("campaign.json"))) {
+            assertEquals(saved, OpenedResults.read(chosen).folder());
+            assertEquals(saved.getFileName().toString(), OpenedResults.nameOf(chosen));
+        }
+        assertEquals("notes.txt", OpenedResults.nameOf(saved.resolve("notes.txt")));
     }
 
     /** The second half begins with run 3. */
@@ -155,12 +155,11 @@ class OpenedResultsTest {
     }
 
     private String refusal(Path chosen) {
-        Path meant = OpenedResults.folderOf(chosen);
         try {
-            OpenedResults.read(meant);
+            OpenedResults.read(chosen);
             return "";
         } catch (Exception failure) {
-            return OpenedResults.failureText(meant, failure);
+            return OpenedResults.failureText(chosen, failure);
         }
     }
 

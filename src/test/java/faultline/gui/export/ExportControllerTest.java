@@ -56,6 +56,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -171,13 +172,20 @@ class ExportControllerTest {
         assertEquals(notes, callOnEdt(() -> List.copyOf(removedNotes)));
     }
 
+    /** A print server may take long to list its printers. */
     @Test
     void withoutAPrinterANoteSaysSo() {
+        AtomicBoolean blocksTheWindow = new AtomicBoolean(true);
         runOnEdt(() -> {
-            controller.setPrinters(() -> new PrintService[0]);
+            controller.setPrinters(() -> {
+                blocksTheWindow.set(EventQueue.isDispatchThread());
+                return new PrintService[0];
+            });
             perform("print");
         });
+        Await.until("the note", () -> !notes.isEmpty());
         assertEquals(List.of("No printer is installed"), notes);
+        assertFalse(blocksTheWindow.get());
     }
 
     @Test
