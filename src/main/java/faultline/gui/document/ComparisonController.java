@@ -13,7 +13,6 @@ import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -113,7 +112,7 @@ public final class ComparisonController implements WorkspaceListener {
             progress.setFraction((double) tick / Math.max(1, journal.ticks()));
             return true;
         });
-        return new RunComparison(name, run, false);
+        return new RunComparison(name, run);
     }
 
     /** Replays a reference run. */
@@ -151,11 +150,8 @@ public final class ComparisonController implements WorkspaceListener {
     }
 
     private void setReference(RunComparison made) {
-        workspace.scenario().ifPresent(scenario -> {
-            comparedHashes = HashTrace.EMPTY;
-            boolean seedDiffers = made.run().setup().seed() != scenario.setup().seed();
-            comparison = new RunComparison(made.name(), made.run(), seedDiffers);
-        });
+        comparedHashes = HashTrace.EMPTY;
+        comparison = made;
     }
 
     /** Removes the reference run, and cancels the pending one. */
@@ -191,20 +187,27 @@ public final class ComparisonController implements WorkspaceListener {
     }
 
     private RunComparison compare(RunComparison last, HashTrace now, int from) {
-        if (last.divergence()
-                .filter(known -> isConfirmed(known.tick(), now, from))
-                .isPresent()) {
-            return last;
-        }
         ReferenceRun run = last.run();
-        RunEvent.Diverged divergence = now.firstDifference(run.hashTrace(), from).stream()
-                .mapToObj(tick -> new RunEvent.Diverged(tick, run.setup().timeOf(tick)))
-                .findFirst()
+        RunEvent.Diverged divergence = last.divergence()
+                .filter(known -> isConfirmed(known.tick(), now, from))
+                .or(() -> firstDifference(run, now, from))
                 .orElse(null);
         boolean whole = now.size() > run.hashTrace().size();
-        return Objects.equals(divergence, last.divergenceOrNull()) && whole == last.whole()
-                ? last
-                : new RunComparison(last.name(), run, divergence, whole, last.seedDiffers());
+        RunComparison result = new RunComparison(last.name(), run, divergence, whole, isOfOtherSeed(run));
+        return result.equals(last) ? last : result;
+    }
+
+    private static Optional<RunEvent.Diverged> firstDifference(ReferenceRun run, HashTrace now, int from) {
+        return now.firstDifference(run.hashTrace(), from).stream()
+                .mapToObj(tick -> new RunEvent.Diverged(tick, run.setup().timeOf(tick)))
+                .findFirst();
+    }
+
+    private boolean isOfOtherSeed(ReferenceRun run) {
+        return workspace
+                .scenario()
+                .filter(scenario -> scenario.setup().seed() != run.setup().seed())
+                .isPresent();
     }
 
     /**

@@ -268,6 +268,18 @@ class ComparisonControllerTest {
     }
 
     @Test
+    void aSeedThatIsChangedAfterwardsIsReported() {
+        runOnEdt(
+                () -> run.change(scenario -> scenario.withSetup(scenario.setup().withSeed(7))));
+        waitFor(
+                "the report",
+                comparison -> comparison.filter(RunComparison::seedDiffers).isPresent());
+        runOnEdt(
+                () -> run.change(scenario -> scenario.withSetup(scenario.setup().withSeed(1))));
+        waitFor("no report", comparison -> !comparison.orElseThrow().seedDiffers());
+    }
+
+    @Test
     void anInvalidFileIsReportedAndTheOldReferenceRunStays(@TempDir Path folder) {
         runOnEdt(() -> controller.loadReference(folder.resolve("none.xml")));
         Await.until("the failure", () -> failures.contains("GHOST none.xml"));
