@@ -63,9 +63,6 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     /** The note about it, empty if there is none. */
     private String changedNote = "";
 
-    /** Read by the threads that start runs. */
-    private volatile String scenarioName = "";
-
     /** Creates the actions for the runs of a workspace, which offers the commands that were used last. */
     public ControllerActions(
             Window owner,
@@ -141,7 +138,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     private void use(ControllerChoice chosen) {
         next = chosen;
-        workspace.setControllerChoice(setup -> {
+        workspace.setControllerChoice((setup, scenarioName) -> {
             assert !EventQueue.isDispatchThread();
             return chosen.applyTo(setup, scenarioName, errorLines.forNewController());
         });
@@ -154,11 +151,6 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         if (ghostPending) {
             ghostChoice = ghostOrNull;
         }
-    }
-
-    @Override
-    public void scenarioOpened() {
-        workspace.scenario().ifPresent(open -> scenarioName = open.name());
     }
 
     /**

@@ -45,8 +45,11 @@ record OpenDocument(ScenarioDocument document, Session session, boolean ownContr
             Workspace workspace,
             Function<UnaryOperator<SimulationSetup>, Session> starter) {
         boolean own = keepsController && workspace.isChoiceTried();
-        return new OpenDocument(
-                document, starter.apply(own ? UnaryOperator.identity() : workspace::withChosenController), own);
+        UnaryOperator<SimulationSetup> choice = own
+                ? UnaryOperator.identity()
+                : setup ->
+                        workspace.withChosenController(setup, document.initial().name());
+        return new OpenDocument(document, starter.apply(choice), own);
     }
 
     /**

@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 
 /**
  * Holds the open scenario and its run. Opening a file, restarting the run and moving it to another tick start a new
@@ -29,7 +29,7 @@ public final class Workspace implements AutoCloseable {
 
     private final List<WorkspaceListener> listeners = new ArrayList<>();
     private OpenDocument open;
-    private volatile UnaryOperator<SimulationSetup> controllerChoice = UnaryOperator.identity();
+    private volatile BiFunction<SimulationSetup, String, SimulationSetup> controllerChoice = (setup, name) -> setup;
     /** Whether a session has started since a controller was chosen. */
     private volatile boolean choiceTried;
 
@@ -75,7 +75,7 @@ public final class Workspace implements AutoCloseable {
      * Sets the function that replaces the scenario's controller in the next session and all later ones. The scenario
      * itself does not change. Saved runs that are opened after the next session keep their own controller.
      */
-    public void setControllerChoice(UnaryOperator<SimulationSetup> choice) {
+    public void setControllerChoice(BiFunction<SimulationSetup, String, SimulationSetup> choice) {
         controllerChoice = choice;
         choiceTried = false;
     }
@@ -90,9 +90,12 @@ public final class Workspace implements AutoCloseable {
         return choiceTried;
     }
 
-    /** Returns a setup with the chosen controller. Any thread but the event dispatch thread may call it. */
-    SimulationSetup withChosenController(SimulationSetup setup) {
-        return controllerChoice.apply(setup);
+    /**
+     * Returns the setup of a named scenario with the chosen controller. Any thread but the event dispatch thread may
+     * call it.
+     */
+    SimulationSetup withChosenController(SimulationSetup setup, String scenarioName) {
+        return controllerChoice.apply(setup, scenarioName);
     }
 
     /** Starts a task that makes a document to replace the open one. It cancels the active task. */

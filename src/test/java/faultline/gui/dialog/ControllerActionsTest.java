@@ -60,6 +60,7 @@ class ControllerActionsTest {
     private final WindowPreferences preferences =
             new WindowPreferences(new PreferenceStore(key -> stored.getOrDefault(key, ""), stored::put));
     private boolean opensWithoutChoice;
+    private int sessions;
     private Workspace workspace;
     private DocumentStore store;
     private RunController run;
@@ -80,6 +81,11 @@ class ControllerActionsTest {
                 public void taskFailed(TaskKind task, Path file, Throwable failure) {
                     failures.add(task);
                     opensWithoutChoice = task == TaskKind.OPEN && controllers.openFailed(failure);
+                }
+
+                @Override
+                public void sessionStarted() {
+                    sessions++;
                 }
 
                 @Override
@@ -155,6 +161,35 @@ class ControllerActionsTest {
         return Files.writeString(
                 folder.resolve("waiter.sh"),
                 "read hello; echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"waiter\"}'; cat");
+    }
+
+    /** The program writes the first message of each run to a file. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
+    void aProgramReceivesTheNameOfTheScenarioThatItDrives(@TempDir Path folder) throws IOException {
+        Path program = Files.writeString(
+                folder.resolve("echo.sh"),
+                "read hello; echo \"$hello\" >> '" + folder.resolve("hello")
+                        + "'; echo '{\"type\":\"ready\",\"protocol\":1}'; cat");
+        runOnEdt(() -> {
+            controllers.select(ControllerChoice.of("sh " + program));
+            store.open(CABLE);
+        });
+        awaitSession(2);
+        runOnEdt(() -> store.open(OFFICE));
+        awaitSession(3);
+        runOnEdt(() -> run.change(scenario -> scenario.withName("Renamed")));
+        runOnEdt(run::restart);
+        awaitSession(4);
+        List<String> names = new ArrayList<>();
+        for (String hello : Files.readAllLines(folder.resolve("hello"))) {
+            names.add(hello.replaceAll(".*\"scenario\":\"([^\"]*)\".*", "$1"));
+        }
+        assertEquals(List.of("Cable", "Office", "Renamed"), names);
+    }
+
+    private void awaitSession(int number) {
+        Await.until("session " + number, () -> sessions == number);
     }
 
     /** Drives the robot with a controller; returns when its run or a failure has been shown. */

@@ -124,7 +124,7 @@ class FileControllerTest {
         AtomicBoolean left = new AtomicBoolean();
         runOnEdt(() -> {
             files.setLeaveQuestion((leaving, leave) -> leave.run());
-            workspace.setControllerChoice(setup -> {
+            workspace.setControllerChoice((setup, name) -> {
                 await(end);
                 return setup;
             });

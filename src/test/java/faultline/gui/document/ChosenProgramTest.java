@@ -111,7 +111,7 @@ class ChosenProgramTest {
         ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
                 "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         runOnEdt(() -> {
-            workspace.setControllerChoice(setup ->
+            workspace.setControllerChoice((setup, name) ->
                     ControllerChoice.of(command).applyTo(setup, new ProcessControllerSource(command, settings)));
             run.restart();
         });

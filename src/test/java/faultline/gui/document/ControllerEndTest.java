@@ -43,7 +43,7 @@ class ControllerEndTest {
         ControllerChoice selection = ControllerChoice.of("sh '" + script + "'");
         Workspace workspace = callOnEdt(Workspace::new);
         runOnEdt(() -> {
-            workspace.setControllerChoice(setup -> selection.applyTo(setup, "Yard", line -> {}));
+            workspace.setControllerChoice((setup, name) -> selection.applyTo(setup, name, line -> {}));
             new DocumentStore(workspace).openShipped("yard.xml");
         });
         Await.until("the session", () -> workspace.session().isPresent());

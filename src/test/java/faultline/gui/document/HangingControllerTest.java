@@ -121,7 +121,7 @@ class HangingControllerTest {
 
     private void choose(UnaryOperator<SimulationSetup> choice) {
         runOnEdt(() -> {
-            workspace.setControllerChoice(choice);
+            workspace.setControllerChoice((setup, name) -> choice.apply(setup));
             run.restart();
         });
     }
@@ -217,7 +217,7 @@ class HangingControllerTest {
     void anotherScenarioIsOpenedAndTheProgramThatHangsEnds() throws Exception {
         ProcessHandle program = hangWithAnEdit();
         runOnEdt(() -> {
-            workspace.setControllerChoice(UnaryOperator.identity());
+            workspace.setControllerChoice((setup, name) -> setup);
             documentStore.openShipped("office.xml");
         });
         awaitSession(3);

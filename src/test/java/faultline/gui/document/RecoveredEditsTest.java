@@ -15,7 +15,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -85,7 +84,7 @@ class RecoveredEditsTest {
 
     @Test
     void editsWhoseRunCannotStartAreOfferedAgain() throws IOException {
-        runOnEdt(() -> workspace.setControllerChoice(setup -> {
+        runOnEdt(() -> workspace.setControllerChoice((setup, name) -> {
             throw new IllegalStateException("no such controller");
         }));
         Autosave autosave = recover();
@@ -95,13 +94,13 @@ class RecoveredEditsTest {
 
     @Test
     void editsWhoseRunStartsAtTheSecondAttemptAreThoseOfTheWindow() {
-        runOnEdt(() -> workspace.setControllerChoice(setup -> {
+        runOnEdt(() -> workspace.setControllerChoice((setup, name) -> {
             throw new IllegalStateException("no such controller");
         }));
         Autosave autosave = recover();
         Await.until("the failure", () -> failures.size() == 1);
         runOnEdt(() -> {
-            workspace.setControllerChoice(UnaryOperator.identity());
+            workspace.setControllerChoice((setup, name) -> setup);
             workspace.retry();
         });
         Await.until("the note of the adoption", autosave::hasEdits);
@@ -112,7 +111,7 @@ class RecoveredEditsTest {
     @Test
     void editsWhoseOpeningIsCancelledAreOfferedAgain() throws IOException {
         CountDownLatch cancelled = new CountDownLatch(1);
-        runOnEdt(() -> workspace.setControllerChoice(setup -> {
+        runOnEdt(() -> workspace.setControllerChoice((setup, name) -> {
             try {
                 cancelled.await();
             } catch (InterruptedException e) {

@@ -257,7 +257,7 @@ class SetupChangeTest {
     void aChangeWithWhichTheRunCannotStartTakesEffectLater(double dt) {
         RuntimeException failure = new IllegalStateException("no controller");
         runOnEdt(() -> {
-            workspace.setControllerChoice(setup -> {
+            workspace.setControllerChoice((setup, name) -> {
                 throw failure;
             });
             run.change(old -> old.withSetup(new SimulationSetup(

@@ -51,7 +51,7 @@ class WaitingAutosaveTest {
     }
 
     private void restart() {
-        workspace.setControllerChoice(setup -> {
+        workspace.setControllerChoice((setup, name) -> {
             try {
                 end.await();
             } catch (InterruptedException e) {

@@ -195,14 +195,14 @@ class MovedStartTest {
                     deferred.incrementAndGet();
                 }
             });
-            run.workspace().setControllerChoice(setup -> {
+            run.workspace().setControllerChoice((setup, name) -> {
                 awaitUninterruptibly(ended);
                 return setup;
             });
             moveStart();
         });
         runOnEdt(() -> {
-            run.workspace().setControllerChoice(setup -> setup);
+            run.workspace().setControllerChoice((setup, name) -> setup);
             if (byMove) {
                 run.controller().navigator().seek(50);
             } else {

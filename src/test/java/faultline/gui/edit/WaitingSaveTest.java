@@ -63,7 +63,7 @@ class WaitingSaveTest {
     /** Starts a task, which does not end before it is released, and does more during the task. */
     private void during(Task task, Runnable actions) {
         runOnEdt(() -> {
-            run.workspace().setControllerChoice(setup -> {
+            run.workspace().setControllerChoice((setup, name) -> {
                 awaitRelease();
                 return setup;
             });
