@@ -105,9 +105,14 @@ public final class RunPanel extends JPanel {
                     frame.telemetry().diagnosis().health(),
                     scenario.setup().dt());
         }
-        double left = scenario.setup().duration() - frame.snapshot().time();
-        timeLeft.setValue(left > 0 ? NumberText.formatOrDash("%.1f s", left) : Messages.get("run.noTimeLeft"));
-        expectations.setFacts(scenario.expectation().conditions(), frame, left <= 0);
+        SimulationSetup setup = scenario.setup();
+        long tick = frame.snapshot().tick();
+        boolean ended = tick >= setup.ticks();
+        timeLeft.setValue(
+                ended
+                        ? Messages.get("run.noTimeLeft")
+                        : NumberText.formatOrDash("%.1f s", setup.duration() - setup.timeOf(tick)));
+        expectations.setFacts(scenario.expectation().conditions(), frame, ended);
     }
 
     private static List<String> diagnosedSensors(SimulationSetup setup) {

@@ -168,6 +168,19 @@ class RunPanelTest {
         assertEquals("does not hold", coverageStatus());
     }
 
+    /** 30 ticks of 0.03 s are 0.8999999999999999 s if they are multiplied. */
+    @Test
+    void theLastTickIsTheEndWhereverItsTimeIsRounded() {
+        scenario = scenario.withExpectation(new Expectation(List.of(new Expectation.MinCoverage(1))))
+                .withSetup(scenario.setup().withTick(0.03).withDuration(0.9));
+        show(29, PAUSED);
+        assertEquals("0.0 s", value("Time left"));
+        assertEquals("does not hold yet", coverageStatus());
+        show(30, PAUSED);
+        assertEquals("none", value("Time left"));
+        assertEquals("does not hold", coverageStatus());
+    }
+
     private String coverageStatus() {
         return callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
                 .filter(label -> label.getText().startsWith("Coverage at least"))
