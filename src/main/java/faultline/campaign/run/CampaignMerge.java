@@ -3,7 +3,6 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.io.AtomicFile;
 import faultline.io.Message;
-import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -97,6 +96,7 @@ public final class CampaignMerge {
             out.checkTables(inputs);
             for (ShardFolder part : parts) {
                 requireWholeHeader(part);
+                requireTimingHeader(part.folder.timing());
             }
             if (Files.exists(out.runs())) {
                 requireHeader(out.runs());
@@ -115,6 +115,15 @@ public final class CampaignMerge {
         if (!requireHeader(part.folder.runs()).equals(ResultColumns.header(plan))) {
             throw new IOException(part.folder + ": part " + part.shard + " has no table; campaign with --shard "
                     + part.shard + " --resume makes it");
+        }
+    }
+
+    /** Throws an exception if a table of times has another header. Its rows may be lost: they are of no result. */
+    private static void requireTimingHeader(Path table) throws IOException {
+        if (Files.exists(table)) {
+            try (LineReader in = new LineReader(table)) {
+                RunTable.requireNoOther(RunTable.TIMING_HEADER, in.next(), table);
+            }
         }
     }
 
@@ -160,35 +169,32 @@ public final class CampaignMerge {
     private long concatenate(OutputStream out, Function<CampaignFolder, Path> table, boolean complete)
             throws IOException {
         long broken = 0;
-        boolean header = true;
+        String header = complete ? ResultColumns.header(plan) : RunTable.TIMING_HEADER;
+        out.write(header.getBytes(StandardCharsets.UTF_8));
         for (ShardFolder part : parts) {
             long first = part.shard.firstRun(plan.runCount());
             long end = part.shard.endRun(plan.runCount());
-            TableCopy rows = new TableCopy(table.apply(part.folder), out, header);
-            broken += rows.copy(first, end, complete, part);
-            header = false;
+            Path file = table.apply(part.folder);
+            if (complete || Files.exists(file)) {
+                broken += new TableCopy(file, out).copy(first, end, complete, part);
+            }
         }
         return broken;
     }
 
     /** Copies the rows of one table. */
-    private record TableCopy(Path file, OutputStream out, boolean withHeader) {
+    private record TableCopy(Path file, OutputStream out) {
 
         long copy(long first, long end, boolean complete, ShardFolder part) throws IOException {
             long next = first;
             long broken = 0;
             try (LineReader in = new LineReader(file)) {
-                String header = in.next();
-                List<String> names = Csv.cells(header.strip());
+                List<String> names = Csv.cells(in.next().strip());
                 int outcome = names.indexOf("outcome");
-                if (withHeader) {
-                    write(header);
-                }
                 for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
                     if (complete) {
-                        requireRun(next, line, next - first, end - first);
                         List<String> cells = Csv.cells(line.stripTrailing());
-                        requireGood(names, cells, next - first);
+                        requireGood(names, cells, next, next - first, end - first);
                         broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                     }
                     write(line);
@@ -202,18 +208,12 @@ public final class CampaignMerge {
             return broken;
         }
 
-        private void requireRun(long run, String line, long row, long rows) throws IOException {
+        private void requireGood(List<String> names, List<String> cells, long run, long row, long rows)
+                throws IOException {
             if (row >= rows) {
                 throw wrong(row, "there is a row after that of the last run; expected " + rows + " rows");
             }
-            if (!line.startsWith(run + ",")) {
-                String found = Csv.cells(line.stripTrailing()).get(0);
-                throw wrong(row, "run is " + MessageText.quoted(found) + "; expected " + run);
-            }
-        }
-
-        private void requireGood(List<String> names, List<String> cells, long row) throws IOException {
-            Optional<Message> problem = RowCheck.findProblem(names, cells);
+            Optional<Message> problem = RowCheck.findProblem(names, cells, run);
             if (problem.isPresent()) {
                 throw wrong(row, problem.get().toString());
             }

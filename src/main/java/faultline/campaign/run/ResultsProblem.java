@@ -29,6 +29,8 @@ public enum ResultsProblem implements Message.Template {
     NOT_IN_PLAN("run {0} is not in the plan; expected 0 to {1}"),
     /** A run is in the table twice. */
     TWICE("run {0} is there twice; expected each run once"),
+    /** A row of a campaign in progress is wrong. */
+    WRONG_ROW("{0}; restore the table, or delete this row and those below to make their runs again"),
 
     /** A count. */
     WHOLE_NUMBER("a whole number"),

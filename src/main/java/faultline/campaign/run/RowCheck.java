@@ -59,6 +59,14 @@ public final class RowCheck {
         return findProblem(column -> header.contains(column) ? cells.get(header.indexOf(column)) : "");
     }
 
+    /** Returns the error in a row of a table of which it must have this run; empty if the row is valid. */
+    static Optional<Message> findProblem(List<String> header, List<String> cells, long run) {
+        String expected = Long.toString(run);
+        return cells.get(0).equals(expected)
+                ? findProblem(header, cells)
+                : Optional.of(ResultsProblem.CELL.with(header.get(0), MessageText.quoted(cells.get(0)), expected));
+    }
+
     /**
      * {@return the error in a row with another number of cells than the header, as the end of a sentence}
      *

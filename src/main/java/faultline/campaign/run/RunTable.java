@@ -1,6 +1,7 @@
 package faultline.campaign.run;
 
 import faultline.campaign.plan.Column;
+import faultline.io.Message;
 import faultline.io.MessageException;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
@@ -14,11 +15,13 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * The two tables of a campaign in progress. Rows are appended in the order of the runs, so the file is always the
- * beginning of the finished table, except for an incomplete last row of a killed process. Opening a partial table
- * removes such a row.
+ * beginning of the finished table, except for an incomplete last row of a killed process, or zeros that a crash of the
+ * machine has left. Opening a partial table removes them. A table with a wrong row is refused: people and other
+ * programs may have changed it, and its rows can take days to make.
  */
 final class RunTable implements Closeable {
 
@@ -72,12 +75,17 @@ final class RunTable implements Closeable {
                 return 0;
             }
             long length = in.length();
+            long row = 2;
             for (String line = in.next(); next < end && line.endsWith("\n"); line = in.next()) {
-                List<String> cells = Csv.cells(line.stripTrailing());
-                if (!cells.get(0).equals(Long.toString(next))
-                        || RowCheck.findProblem(names, cells).isPresent()) {
+                if (line.indexOf('\0') >= 0) {
                     return length;
                 }
+                List<String> cells = Csv.cells(line.stripTrailing());
+                Optional<Message> problem = RowCheck.findProblem(names, cells, next);
+                if (problem.isPresent()) {
+                    throw new MessageException(file + ":" + row, ResultsProblem.WRONG_ROW.with(problem.get()), null);
+                }
+                row++;
                 broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                 length += in.length();
                 next++;

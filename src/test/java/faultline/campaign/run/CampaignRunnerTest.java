@@ -435,6 +435,24 @@ class CampaignRunnerTest {
         cannotMerge(one.runs() + ":" + rows.size() + ": there is a row after that of the last run", one, two, three);
     }
 
+    /** The times belong to no result. */
+    @Test
+    void aPartWithoutATableOfTimesIsMerged() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = part(2);
+        CampaignFolder three = part(3);
+        CampaignFolder merged = new CampaignFolder(folder.resolve("merged"));
+        Files.delete(one.timing());
+        Files.writeString(two.timing(), "");
+        String times = Files.readString(three.timing());
+        Files.writeString(three.timing(), "run,seconds\n");
+        cannotMerge(three.timing() + ":1: this is not the header of the campaign", one, two, three);
+        Files.writeString(three.timing(), times);
+        new CampaignMerge(List.of(one, two, three)).writeTo(merged);
+        assertArrayEquals(expected, Files.readAllBytes(merged.runs()));
+        assertEquals(times, Files.readString(merged.timing()));
+    }
+
     /** Another version of the program may merge the parts. */
     @Test
     void theManifestOfAMergeNamesTheProgramOfTheParts() throws Exception {

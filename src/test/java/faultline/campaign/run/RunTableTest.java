@@ -2,6 +2,7 @@ package faultline.campaign.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.io.MessageException;
 import faultline.io.TemporaryFolder;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tables that are continued, or cannot be written to the end. */
@@ -123,11 +125,32 @@ class RunTableTest {
         assertEquals(timed, Files.readString(timing));
     }
 
+    /** Rows can take days to make. */
     @ParameterizedTest
-    @ValueSource(strings = {"2,lost,,1\n", "1,tired,,1\n", "1,lost,,1", "1,lost\n"})
-    void theFirstRowThatIsNotTheNextRunEndsTheTable(String row) throws IOException {
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "2,lost,,1 | run is \"2\"; expected 1",
+                "01,lost,,1 | run is \"01\"; expected 1",
+                "1,tired,,1 | outcome is \"tired\"; expected one of",
+                "1,lost | the row has 2 cells; expected 4 like the header"
+            })
+    void aTableWithAWrongRowIsRefusedAndKept(String row, String problem) throws IOException {
+        String changed = HEADER + ROW + row + "\n2,lost,,1\n";
+        Path file = Files.writeString(folder.resolve("runs.csv"), changed);
+        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 9));
+        assertTrue(e.getMessage().startsWith(file + ":3: " + problem), e.getMessage());
+        assertTrue(e.getMessage()
+                .endsWith("; restore the table, or delete this row and those below to make their" + " runs again"));
+        assertEquals(changed, Files.readString(file));
+    }
+
+    /** A crash of the machine leaves zeros where the rows were not yet on the disk. */
+    @ParameterizedTest
+    @ValueSource(strings = {"1,lost,,1", "1,lo", "\0\0\0\0,,1\n2,lost,,1\n", "1,lost\0\0\0\n"})
+    void anIncompleteRowEndsTheTable(String rest) throws IOException {
         Path file = folder.resolve("runs.csv");
-        Files.writeString(file, HEADER + ROW + row + "1,lost,,1\n");
+        Files.writeString(file, HEADER + ROW + rest);
         try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 9)) {
             assertEquals(1, table.next());
             table.add(new RunMaker.MadeRun(1, "1,stopped,,1\n", false, 100, 0.5));
