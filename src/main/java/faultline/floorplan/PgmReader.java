@@ -2,6 +2,7 @@ package faultline.floorplan;
 
 import faultline.io.Message;
 import faultline.io.MessageText;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
@@ -14,7 +15,7 @@ final class PgmReader {
     private static final int MAX_WORD = 100;
 
     private final Path file;
-    private final InputStream in;
+    private InputStream in;
     /** The number of bytes before the next one. */
     private long position;
 
@@ -64,9 +65,9 @@ final class PgmReader {
 
     private void readRaw(MapImage image, int max) throws IOException {
         skipComment();
-        advance(); // exactly one blank ends the header, or the end of a comment right behind the maximum value
         int bytesEach = max < 256 ? 1 : 2;
         int count = image.width() * image.height();
+        endHeader(count * bytesEach);
         long start = position;
         for (int i = 0; i < count; i++) {
             int value = nextRaw(start, count, bytesEach);
@@ -74,6 +75,22 @@ final class PgmReader {
                 value = value << 8 | nextRaw(start, count, bytesEach);
             }
             set(image, i, value, max);
+        }
+    }
+
+    /**
+     * Skips the blank that ends the header, or the end of a comment right behind the maximum value. The lines of some
+     * programs end with two bytes, but a line feed may also be the first pixel: the number of bytes left decides.
+     */
+    private void endHeader(int pixelBytes) throws IOException {
+        boolean isCarriageReturn = next == '\r';
+        advance();
+        if (isCarriageReturn && next == '\n') {
+            byte[] rest = in.readNBytes(pixelBytes + 1);
+            in = new ByteArrayInputStream(rest);
+            if (rest.length == pixelBytes) {
+                advance();
+            }
         }
     }
 

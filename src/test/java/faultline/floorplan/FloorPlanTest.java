@@ -53,6 +53,14 @@ class FloorPlanTest {
         assertEquals(List.of(OCCUPIED, FREE, UNKNOWN), row(grid, 1));
     }
 
+    /** The byte after the carriage return that ends the header. */
+    @Test
+    void aLineFeedMayBeTheFirstPixel() throws IOException {
+        OccupancyGrid grid =
+                read(writeBytes("w.pgm", "P5 2 1 255\r\n", 254), "").grid();
+        assertEquals(List.of(OCCUPIED, FREE), row(grid, 0));
+    }
+
     @Test
     void rawAndPlainImagesOfAnyDepthAreReadAlike() throws IOException {
         OccupancyGrid expected = read(write("m.pgm", PLAIN), "").grid();
@@ -64,6 +72,10 @@ class FloorPlanTest {
         assertEquals(
                 expected,
                 read(writeBytes("c.pgm", comments, 0, 255, 205, 255, 0, 254), "")
+                        .grid());
+        assertEquals(
+                expected,
+                read(writeBytes("w.pgm", "P5\r\n3 2\r\n255\r\n", 0, 255, 205, 255, 0, 254), "")
                         .grid());
         int[] deep = {0, 0, 255, 255, 205, 205, 255, 255, 0, 0, 254, 254};
         assertEquals(
