@@ -200,7 +200,6 @@ class Simulator:
         """Begins a run and returns its first sight."""
         self.done = False
         self.end = None
-        self._robot = _Robot(self.hello)
         return self._ask({"type": "reset"} if seed is None else {"type": "reset", "seed": operator.index(seed)})
 
     def step(self, drive, ticks=1):

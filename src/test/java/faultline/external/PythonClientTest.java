@@ -158,6 +158,34 @@ class PythonClientTest {
         assertEquals("stepped", output.text().strip());
     }
 
+    /** The simulator sends the robot again only if it differs from the one that it has sent last. */
+    @Test
+    void theRobotOfEveryRunIsThatOfTheSimulator(@TempDir Path folder) throws Exception {
+        Path scenario = Files.writeString(
+                folder.resolve("tuned.xml"),
+                """
+                <scenario xmlns="urn:faultline:scenario:1">
+                  <world width="2" height="2"/>
+                  <robot x="1" y="1" defaultSensors="false"><sensor id="eye" x="0.1" y="0" bearing="0"/></robot>
+                  <timeline>
+                    <tune at="0" sensor="eye" range="1.5"/>
+                    <tune at="0.02" sensor="eye" range="1.6"/>
+                  </timeline>
+                </scenario>
+                """);
+        Output output = python(
+                "-c",
+                """
+                import faultline, sys
+                with faultline.Simulator(sys.argv[1]) as simulator:
+                    for ticks in (1, 5, 1):
+                        ranges = [simulator.reset(), simulator.step(faultline.volts(0, 0), ticks)]
+                        print([sight.robot["sensors"][0]["range_m"] for sight in ranges])
+                """,
+                scenario.toString());
+        assertEquals("[1.5, 1.5]\n[1.5, 1.6]\n[1.5, 1.5]", output.text().strip());
+    }
+
     @Test
     void numbersOfOtherTypesAreSent() throws Exception {
         Output output = python(
