@@ -331,7 +331,7 @@ class CampaignReportTest {
                     carried_on  | 1.0   | carried_on is "1.0"; expected 0, 1 or nothing
                     collided    | 0.0   | collided is "0.0"; expected 0, 1 or nothing
                     """)
-    void aDamagedTableIsRefusedInOneSentenceAndMadeAgainByResuming(String column, String value, String problem)
+    void aDamagedTableIsRefusedInOneSentenceAndContinuedWithoutTheWrongRows(String column, String value, String problem)
             throws Exception {
         String elements = "<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>";
         report(elements);
@@ -344,6 +344,9 @@ class CampaignReportTest {
         Files.write(table, lines);
         IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
         assertEquals(table + ":4: " + problem, refusal.getMessage());
+        IOException resumed = assertThrows(IOException.class, () -> report(elements));
+        assertTrue(resumed.getMessage().startsWith(table + ":4: " + column + " is "), resumed.getMessage());
+        Files.write(table, lines.subList(0, 3));
         report(elements);
         assertEquals(good, Files.readString(table));
     }
