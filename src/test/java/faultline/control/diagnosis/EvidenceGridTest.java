@@ -19,20 +19,37 @@ class EvidenceGridTest {
             double axis = random.nextDouble(-Math.PI, Math.PI);
             double half = random.nextDouble(0.05, 1.2);
             double radius = random.nextDouble(0.1, 0.8);
-            ConeTable table = new ConeTable(new MountedCone(0, 0, 0, half, 1));
-            grid.markSector(0, x, y, Math.cos(axis), Math.sin(axis), table, radius, 5, EvidenceGrid.RowParity.ALL);
-            for (int row = EvidenceGrid.cellOf(y - 1); row < EvidenceGrid.cellOf(y + 1); row++) {
-                for (int column = EvidenceGrid.cellOf(x - 1); column < EvidenceGrid.cellOf(x + 1); column++) {
-                    double dx = (column + 0.5) * EvidenceGrid.CELL - x;
-                    double dy = (row + 0.5) * EvidenceGrid.CELL - y;
-                    double off = Math.abs(Math.IEEEremainder(Math.atan2(dy, dx) - axis, 2 * Math.PI));
-                    double slack = Math.min(Math.abs(off - half), Math.abs(Math.hypot(dx, dy) - radius));
-                    if (slack > 1e-9) {
-                        boolean inside = off < half && Math.hypot(dx, dy) < radius;
-                        assertEquals(inside ? 1 : 0, grid.freeBy(column, row, 5, 1), "trial " + trial);
-                    }
+            assertSectorIsMarked(grid, x, y, axis, half, radius);
+        }
+    }
+
+    private static void assertSectorIsMarked(
+            EvidenceGrid grid, double x, double y, double axis, double half, double radius) {
+        ConeTable table = new ConeTable(new MountedCone(0, 0, 0, half, 1));
+        grid.markSector(0, x, y, Math.cos(axis), Math.sin(axis), table, radius, 5, EvidenceGrid.RowParity.ALL);
+        for (int row = EvidenceGrid.cellOf(y - radius - 0.1); row < EvidenceGrid.cellOf(y + radius + 0.1); row++) {
+            for (int column = EvidenceGrid.cellOf(x - radius - 0.1);
+                    column < EvidenceGrid.cellOf(x + radius + 0.1);
+                    column++) {
+                double dx = (column + 0.5) * EvidenceGrid.CELL - x;
+                double dy = (row + 0.5) * EvidenceGrid.CELL - y;
+                double off = Math.abs(Math.IEEEremainder(Math.atan2(dy, dx) - axis, 2 * Math.PI));
+                double slack = Math.min(Math.abs(off - half), Math.abs(Math.hypot(dx, dy) - radius));
+                if (slack > 1e-9) {
+                    boolean inside = off < half && Math.hypot(dx, dy) < radius;
+                    assertEquals(inside ? 1 : 0, grid.freeBy(column, row, 5, 1), "radius " + radius);
                 }
             }
+        }
+    }
+
+    /** As far as a robot that keeps far from its wall uses its sensors. */
+    @Test
+    void sectorsInALargeGridMayHaveMoreRowsThanASmallOne() {
+        for (double radius = 1.2; radius < 2.8; radius += 0.1) {
+            EvidenceGrid grid = new EvidenceGrid(1);
+            grid.resize(256);
+            assertSectorIsMarked(grid, 0.01, 0.02, 0, 1.5, radius);
         }
     }
 

@@ -71,4 +71,10 @@ class HealthReportTest {
         assertEquals(SensorTrust.TRUSTED, restored.trust());
         assertEquals(200, restored.sinceTick());
     }
+
+    @Test
+    void moreEvidenceThanTheThresholdIsReportedAsAllOfIt() {
+        assessment.addContradiction(0, 0b0110, 6);
+        assertTrust(SensorTrust.SUSPECTED, 1, 1.25);
+    }
 }

@@ -154,4 +154,25 @@ class SpinComparisonTest {
         comparison.run(readings(0), 0);
         assertEquals(trusted, assessment.evidence(FRONT) > 1);
     }
+
+    /** The nearest place of a wall beyond a wide cone is at its border, on which the mounting has less influence. */
+    @ParameterizedTest
+    @CsvSource({
+        "-25, 0, -1",
+        "-25, 0.02, -1",
+        "-25, 0.035, 0",
+        "-25, -0.035, 0",
+        "40, 0, -1",
+        "40, 0.02, -1",
+        "40, 0.035, 0"
+    })
+    void aSensorFarFromTheCentreMeasuresTheSameDistances(double footAhead, double error, int wrong) {
+        for (InspectedSensor sensor : sensors) {
+            MountedCone cone = sensor.cone();
+            double x = sensor.index() == FRONT ? 0.3 : cone.x();
+            sensor.refit(new MountedCone(x, cone.y(), cone.bearing(), Math.toRadians(20), cone.range()));
+        }
+        errors[FRONT] = error;
+        assertEquals(wrong, spin(Math.toRadians(footAhead)));
+    }
 }

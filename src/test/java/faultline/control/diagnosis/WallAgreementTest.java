@@ -1,6 +1,7 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
@@ -153,5 +154,36 @@ class WallAgreementTest {
         agreement.restart(way, heading);
         assertEquals(WallAgreement.NONE, drive(0.3, 2, 0.05, 0));
         assertEquals(2, drive(0.2, 2, 0.05, 0));
+    }
+
+    /** Drives past a wall that all three see alike. */
+    private void passStraightWall(double metres, double step) {
+        for (double driven = 0; driven < metres; driven += Math.abs(step)) {
+            way += step;
+            agreement.update(line, beside(0.4), way, heading);
+        }
+    }
+
+    /** Backwards, the sensor ahead has not seen the part of the wall that comes beside the robot. */
+    @ParameterizedTest
+    @CsvSource({"0.003, true", "-0.003, false"})
+    void aWallIsStraightOnceTheSensorAheadHasSeenIt(double step, boolean straight) {
+        passStraightWall(0.3, step);
+        assertEquals(straight, agreement.isStraight());
+    }
+
+    @Test
+    void aWallIsNoLongerStraightAsSoonAsASensorDiffers() {
+        passStraightWall(0.3, STEP);
+        assertEquals(WallAgreement.NONE, driveWith(0.03, -0.1, 0, 0));
+        assertFalse(agreement.isStraight());
+    }
+
+    @Test
+    void theSameSensorMustDifferInAllLegs() {
+        for (int leg = 0; leg < 12; leg++) {
+            double first = leg % 2 == 0 ? 0.05 : 0;
+            assertEquals(WallAgreement.NONE, driveWith(0.12, first, 0.05 - first, 0), "leg " + leg);
+        }
     }
 }

@@ -218,4 +218,13 @@ class WallComparisonTest {
         inspection.run(beside(0.4), 1);
         assertEquals(InspectionRate.STRAIGHT, inspection.rate());
     }
+
+    @ParameterizedTest
+    @CsvSource({"0.014, false", "0.016, true", "-0.014, false", "-0.016, true"})
+    void sensorsAreComparedForwardsAndBackwards(double rolled, boolean due) {
+        drive(0.1, 0);
+        check.run(beside(0.4), 1);
+        motion.advance(rolled, 0, DT);
+        assertEquals(due, check.isDue(motion));
+    }
 }
