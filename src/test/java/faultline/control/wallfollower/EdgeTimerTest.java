@@ -8,6 +8,8 @@ import faultline.control.TimingRule;
 import faultline.sensor.Reading;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Spins past walls that are given as readings over time, sampled every 0.1 s from 0. */
 class EdgeTimerTest {
@@ -183,5 +185,34 @@ class EdgeTimerTest {
             timing.addApproachSample(i * STEP, 0.5, 0.0005 * i - 0.003);
             assertFalse(timing.reachesWall(), "sample " + i);
         }
+    }
+
+    /** Five deviations count as an extreme, and both sides of the wall must be as clear three times over. */
+    @Test
+    void ofNoisyReadingsThoseAreTimedThatAreClearlyFartherThanTheNearest() {
+        EdgeTimer timing = timeSpin(TimingRule.EQUAL_READINGS, 0.005, wallAt(3));
+        assertEquals(3, (timing.tF3() + timing.tF4()) / 2, 1e-3);
+        assertEquals(0.75, timing.tP(), 1e-3, "the wall is 75 mm farther than the nearest after 0.75 s");
+    }
+
+    @Test
+    void aWallThatIsAlmostNearestAtTheStartIsTimedByTheReadingAtTheStart() {
+        EdgeTimer timing = timeSpin(TimingRule.EQUAL_READINGS, 0, wallAt(0.1));
+        assertEquals(0, timing.tF3(), 1e-3);
+        assertEquals(0.2, timing.tF4(), 1e-3, "as far as at the start");
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aRiseAndAFallAreAnotherWallOnlyIfTheNoiseIsKnown(boolean known) {
+        EdgeTimer timing = EdgeTimer.of(TimingRule.EQUAL_READINGS);
+        timing.start(0.08, 0, known, TURN);
+        timing.addApproachSample(0, 0.4, 0);
+        timing.addApproachSample(0.1, 0.3, 0);
+        assertTrue(timing.reachesWall());
+        timing.addPassSample(0.2, 0.31);
+        assertFalse(timing.leavesWall());
+        timing.addPassSample(0.3, 0.305);
+        assertEquals(known, timing.leavesWall());
     }
 }

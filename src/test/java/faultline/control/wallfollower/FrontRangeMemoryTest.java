@@ -94,4 +94,11 @@ class FrontRangeMemoryTest {
         loseTarget(0.01, 0);
         assertEquals(Reading.NOTHING, remembered());
     }
+
+    @Test
+    void aTargetBesideTheBodyIsNotTheNearestInTheWay() {
+        memory.clear();
+        memory.update(frontView(0.79), 0, 0, HALF_WIDTH);
+        assertEquals(Reading.NOTHING, memory.nearest());
+    }
 }

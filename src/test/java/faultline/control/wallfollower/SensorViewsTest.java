@@ -14,6 +14,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SensorViewsTest {
 
@@ -44,6 +46,14 @@ class SensorViewsTest {
         assertEquals(
                 0.1, facing(Direction.FRONT, robot, readings, WallSide.LEFT).reading());
         assertEquals(0.2, left(robot, readings).reading());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"270, LEFT, RIGHT, -90", "270, RIGHT, LEFT, 90", "-270, LEFT, LEFT, 90", "315, LEFT, FRONT_RIGHT, -45"})
+    void aBearingMayBeGivenTheOtherWayRound(int degrees, WallSide side, Direction direction, int bearing) {
+        SensorView view = facing(direction, robot(sensor("round", degrees)), Map.of("round", 0.2), side);
+        assertEquals(0.2, view.reading());
+        assertEquals(Math.toRadians(bearing), view.bearing(), 1e-12);
     }
 
     @Test

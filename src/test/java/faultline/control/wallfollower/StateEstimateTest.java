@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
 import faultline.control.Odometer;
+import faultline.control.Threshold;
 import faultline.control.WallSide;
 import faultline.geometry.Vector2;
 import faultline.robot.DriveScale;
@@ -128,5 +129,52 @@ class StateEstimateTest {
         StateEstimate estimate = estimate(ALL_DIRECTIONS, WallSide.LEFT);
         assertEquals(0.35, estimate.centreDistance(0.25), 1e-12);
         assertEquals(0.1, estimate.centreDistance(-0.05), 1e-12);
+    }
+
+    /** The nearest of many readings lies below their mean; 2 mm up and down is noise of more than 2 mm. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, true", "0.002, 0, false", "0, 0.002, false"})
+    void aPointThatIsSeenWithNoiseIsTakenToBeFartherThanTheNearestReading(double front, double left, boolean within) {
+        StateEstimate estimate = new StateEstimate(ControllerSpec.WallFollowing.DEFAULT, new Odometer());
+        for (int tick = 0; tick < 100; tick++) {
+            int sign = tick % 2 == 0 ? 1 : -1;
+            estimate.update(Observations.observation(
+                    tick, Map.of("front", 0.4 + front * (sign + 1), "left", 0.3 + left * sign)));
+            estimate.updateLastSeenPoints();
+        }
+        Vector2 edge = Vector2.direction(Math.toRadians(10)).times(0.4);
+        Vector2 stopped = new Vector2(-estimate.stoppingDistance(), 0);
+        double nearest = ROBOT_FRONT.plus(edge).plus(stopped).length();
+        assertEquals(within, estimate.isLastSeenPointWithin(nearest + 0.005));
+        assertTrue(estimate.isLastSeenPointWithin(nearest + 0.02));
+    }
+
+    private static final Vector2 ROBOT_FRONT = Observations.LAG_FREE_ROBOT
+            .sensors()
+            .get(Observations.LAG_FREE_ROBOT.indexOf("front"))
+            .mountPosition();
+
+    /** A robot that still approaches the wall has that wall ahead. */
+    @ParameterizedTest
+    @CsvSource({
+        "0.1, 0.05, true, true",
+        "0.1, 0.05, false, false",
+        "0.1, -0.05, false, true",
+        "-0.1, -0.05, true, false",
+        "-0.1, -0.05, false, false",
+        "-0.1, -0.15, false, true"
+    })
+    void aMarginForWallsAheadCountsOnlyAtTheWantedDistance(
+            double margin, double beyond, boolean atWantedDistance, boolean ahead) {
+        Odometer odometer = new Odometer();
+        StateEstimate estimate = new StateEstimate(
+                ControllerSpec.WallFollowing.DEFAULT.withThreshold(Threshold.AHEAD_MARGIN, margin), odometer);
+        double atMargin = estimateOfDefault().wantedCentreDistance() - ROBOT_FRONT.x();
+        estimate.update(Observations.observation(0, Map.of("front", atMargin + beyond)));
+        assertEquals(ahead, estimate.isWallAheadWhileFollowing(atWantedDistance));
+    }
+
+    private static StateEstimate estimateOfDefault() {
+        return estimate(ALL_DIRECTIONS, WallSide.LEFT);
     }
 }

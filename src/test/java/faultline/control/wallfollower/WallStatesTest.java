@@ -155,4 +155,33 @@ class WallStatesTest {
         }
         assertTrue(way < 0.4, "seen after " + way + " m");
     }
+
+    /** Only a slanted approach to a new distance sees the followed wall ahead. */
+    @Test
+    void whatWasSeenAheadIsRememberedAlongAWall() {
+        estimate.update(Observations.observation(++tick, Map.of("left", WANTED, "front", 0.02)));
+        wall.begin();
+        roll(WANTED);
+        wall.trackWall();
+        assertTrue(estimate.isFrontTargetWithinTurningCircle());
+        wall.configure(WANTED + 0.001, GainRule.AUTOMATIC);
+        wall.trackWall();
+        assertFalse(estimate.isFrontTargetWithinTurningCircle());
+    }
+
+    @Test
+    void aCornerThatLeftTheConeCountsAsAheadOnlyOnceTheWallIsLost() {
+        wall.begin();
+        turnAndSee(Map.of("left", 0.08));
+        turnAndSee(Map.of("left", WANTED));
+        assertTrue(estimate.isLostWallWithinTurningCircle());
+        assertFalse(wall.isWallAhead());
+        turnAndSee(Map.of());
+        assertTrue(wall.isWallAhead());
+    }
+
+    private void turnAndSee(Map<String, Double> readings) {
+        Observations.drive(estimate, new Velocity(0, 1));
+        estimate.update(Observations.observation(++tick, readings));
+    }
 }

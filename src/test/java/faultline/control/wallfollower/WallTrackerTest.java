@@ -143,4 +143,15 @@ class WallTrackerTest {
     void aWayOfAQuarterOfAMillimetreLeaves2Point5PercentOfTheNoiseInTheDrift() {
         assertEquals(0.025, WallTracker.driftNoiseShare(0.00025), 1e-9);
     }
+
+    /** The filter averages over 3 cm here; steps beyond that must not make it oscillate. */
+    @Test
+    void stepsLongerThanItsMemoryAreStable() {
+        for (int i = 1; i <= 40; i++) {
+            tracker.predict(0.08, 0, 0);
+            tracker.correct(10 - 0.008 * i, 0.08, RADIUS);
+        }
+        assertEquals(Math.asin(0.1), tracker.heading(), 1e-4);
+        assertEquals(9.68, tracker.distance(), 1e-4);
+    }
 }
