@@ -50,7 +50,7 @@ public final class DidYouMean {
                 continue;
             }
             compared += (given.length() + 1) * (name.length() + 1);
-            if (compared > MAX_COMPARED || least == 0) {
+            if (compared > MAX_COMPARED) {
                 return best;
             }
             int changes = editDistance(lower, name.toLowerCase(Locale.ROOT));

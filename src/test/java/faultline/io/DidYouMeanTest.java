@@ -55,6 +55,12 @@ class DidYouMeanTest {
         assertEquals(near, DidYouMean.nearest(given, List.of(known)).isPresent());
     }
 
+    @ParameterizedTest
+    @CsvSource({"on, no, true", "ir, it, true", "on, xy, false", "x, y, true", "of, off, true", "a, abc, false"})
+    void ofAShorterNameOneChangeIsNear(String given, String known, boolean near) {
+        assertEquals(near, DidYouMean.nearest(given, List.of(known)).isPresent());
+    }
+
     @Test
     void ofNamesThatAreEquallyNearTheFirstIsSuggested() {
         assertEquals(Optional.of("left"), DidYouMean.nearest("lefx", List.of("right", "left", "lefs")));
