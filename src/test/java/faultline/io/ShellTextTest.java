@@ -3,6 +3,8 @@ package faultline.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ShellTextTest {
 
@@ -10,6 +12,19 @@ class ShellTextTest {
     void aWordThatAShellTakesSoIsNotQuoted() {
         assertEquals("scenarios/yard.xml", ShellText.quotedForUnix("scenarios/yard.xml"));
         assertEquals("C:\\robots\\me.py", ShellText.quotedForWindows("C:\\robots\\me.py"));
+    }
+
+    /** An interactive shell replaces the exclamation mark by an earlier command, even in double quotes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"$HOME x", "`x` y", "a \"b\" c", "back\\ slash", "stop here!"})
+    void whatAShellReplacesInDoubleQuotesIsInSingleOnes(String word) {
+        assertEquals("'" + word + "'", ShellText.quotedForUnix(word));
+    }
+
+    @Test
+    void aSingleQuoteIsInDoubleOnesOrOutsideOfSingleOnes() {
+        assertEquals("\"it's here\"", ShellText.quotedForUnix("it's here"));
+        assertEquals("'it'\\''s here!'", ShellText.quotedForUnix("it's here!"));
     }
 
     @Test
