@@ -56,6 +56,15 @@ class OutlineSimplifierTest {
         assertEquals(ring.size(), OutlineSimplifier.simplify(ring, 0).size());
     }
 
+    /** A narrow outline would otherwise become a line, and a small one a point. */
+    @Test
+    void anOutlineOfWhichLessThanATriangleWouldBeLeftStays() {
+        GridRing narrow = OutlineTracer.trace(cells("##########")).get(0);
+        assertEquals(narrow, OutlineSimplifier.simplify(narrow, 2));
+        GridRing small = OutlineTracer.trace(cells("##", "#.")).get(0);
+        assertEquals(small, OutlineSimplifier.simplify(small, 5));
+    }
+
     /** Each division of a comb takes one tooth off, so that all divisions together took quadratic time. */
     @Test
     void aCombIsSimplifiedInAlmostLinearTime() {

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SolidCellsTest {
 
@@ -47,6 +49,15 @@ class SolidCellsTest {
         SolidCells kept = new SolidCells(1000, 1000, solid).withoutSpecks(5);
         assertEquals(998 * 1000, kept.count());
         assertFalse(kept.isSolid(0, 999));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {900, 901, 2000})
+    void aSpeckOfHundredsOfCellsIsDroppedAsAWhole(int minCells) {
+        boolean[] solid = new boolean[30 * 30];
+        Arrays.fill(solid, true);
+        int kept = new SolidCells(30, 30, solid).withoutSpecks(minCells).count();
+        assertEquals(minCells > 900 ? 0 : 900, kept);
     }
 
     @Test
