@@ -186,6 +186,31 @@ class ComparisonTest {
         assertTrue(found.high() < 0.9 * ofThreePairs.high(), found + " is not within " + ofThreePairs);
     }
 
+    /**
+     * Returns the interval of pairs of runs in worlds, of which each repeats its pair; 01 is one in the second only.
+     */
+    private Interval intervalOfRepeatedPairs(String... pairs) {
+        lines.subList(1, lines.size()).clear();
+        int block = 0;
+        for (int world = 0; world < pairs.length; world++) {
+            for (int i = 0; i < 4; i++) {
+                addRun(block, "w" + world, SLOW, "front", pairs[world].substring(0, 1), 0);
+                addRun(block, "w" + world, FAST, "front", pairs[world].substring(1), 0);
+                block++;
+            }
+        }
+        return survivalDifference().orElseThrow().interval();
+    }
+
+    /** All four kinds of pairs have the same weight. */
+    @Test
+    void theIntervalOfFailuresIsTheMirrorImageOfThatOfSuccesses() {
+        Interval successes = intervalOfRepeatedPairs("01", "01", "11", "11", "11", "00", "10");
+        Interval failures = intervalOfRepeatedPairs("10", "10", "00", "00", "00", "11", "01");
+        assertEquals(-failures.high(), successes.low(), 1e-12);
+        assertEquals(-failures.low(), successes.high(), 1e-12);
+    }
+
     private List<String> groups(int sensors) {
         IntStream.range(0, sensors).forEach(sensor -> addRun(sensor, "a", SLOW, "s" + sensor, "1", 0));
         return comparison().faultGroups().stream()
