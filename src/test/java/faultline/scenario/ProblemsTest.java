@@ -41,6 +41,7 @@ class ProblemsTest {
             range="0.6"        | cone="0"           | 15:33: cone of <sensor> is "0"; expected a number without exponent, more than 0 and less than 180 degrees
             range="0.6"        | cone="179.99999999999999999999" | 15:56: cone of <sensor> is "179.99999999999999999999"; expected a number without exponent, more than 0 and less than 180 degrees
             range="0.6"        | bearing="1e1"      | 15:38: bearing of <sensor> is "1e1"; expected a number without exponent, from -1000000 to 1000000 degrees
+            range="0.6"        | bearing="1E1"      | 15:38: bearing of <sensor> is "1E1"; expected a number without exponent, from -1000000 to 1000000 degrees
             <robot x="1" y="1" | <robot x="1" y="1" speed="0"      | 13:32: speed of <robot> is "0"; expected a number more than 0 and at most 1000 metres per second
             <robot x="1" y="1" | <robot x="1" y="1" speed="1e-400" | 13:37: speed of <robot> is "1e-400"; expected a number more than 0 and at most 1000 metres per second
             # Words
@@ -161,6 +162,17 @@ class ProblemsTest {
                 .get(0);
         String types = problem.replaceAll(".*expected | or a controller.*", "");
         assertEquals(ControllerProviders.BUILT_IN_NAMES, Set.of(types.split(", ")));
+    }
+
+    @Test
+    void aNameHasUpToTenThousandCharacters() {
+        for (int length : new int[] {10_000, 10_001}) {
+            String name = "name=\"" + "n".repeat(length) + "\"";
+            assertEquals(
+                    length - 10_000,
+                    SampleScenario.problems(SampleScenario.withReplacement("name=\"Plain\"", name))
+                            .size());
+        }
     }
 
     @Test
