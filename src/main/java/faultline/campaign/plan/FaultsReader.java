@@ -25,7 +25,8 @@ final class FaultsReader {
     private static final String LABEL = "label";
 
     /** Attributes whose columns have other names. */
-    private static final Map<String, String> COLUMN_NAMES = Map.of("at", "onset_s", "until", "end_s");
+    private static final Map<String, String> COLUMN_NAMES =
+            Map.of("at", "onset_s", "until", "end_s", "length", "length_s");
 
     private static final Map<String, String> MEANINGS = Map.of(
             "kind",
@@ -33,11 +34,13 @@ final class FaultsReader {
             "sensor",
             "the sensor that fails",
             "value",
-            "the fault's number, in the unit of its kind: m for distances, none for shares",
+            "the fault's number, in the unit of its kind: m, m/s, s, 1/s, deg or V, none for a share or a factor",
             "at",
             "when the fault begins",
             "until",
             "when the fault ends, empty if it does not",
+            "length",
+            "mean length of a burst",
             LABEL,
             "what the plan calls the fault, its kind if the plan gives no label, none in a healthy run");
 

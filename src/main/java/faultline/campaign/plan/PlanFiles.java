@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,6 +31,11 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     /** The plan's name in a folder that holds a copy of all files. */
     public static final String COPY = "plan.xml";
+
+    /** Copies the map, but not the bytes, which must not be changed. */
+    public PlanFiles {
+        scenarios = Collections.unmodifiableMap(new LinkedHashMap<>(scenarios));
+    }
 
     /** Gets the bytes of a scenario by its number in the plan, from 1, and its name there. */
     interface Resolver {

@@ -16,6 +16,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -138,7 +139,9 @@ final class CampaignRuns {
             campaign.checkRows(table);
             return campaign;
         } catch (UncheckedIOException e) {
-            throw new MessageException(table.toString(), ResultsProblem.NOT_TEXT.with(), e);
+            throw e.getCause() instanceof CharacterCodingException
+                    ? new MessageException(table.toString(), ResultsProblem.NOT_TEXT.with(), e)
+                    : e.getCause();
         }
     }
 

@@ -23,8 +23,11 @@ import java.util.regex.Pattern;
 /** Describes exceptions to users. */
 public final class ErrorMessages {
 
-    /** The JDK's message about a program that does not exist, such as the one that sends pages to a printer. */
-    private static final Pattern NOT_STARTED = Pattern.compile("^Cannot run program \"([^\"]+)\".*error=2\\b");
+    /**
+     * The JDK's messages about a program that does not exist, such as the one that sends pages to a printer: "error=2,"
+     * up to version 24, and then "error: 2 (".
+     */
+    private static final Pattern NOT_STARTED = Pattern.compile("^Cannot run program \"([^\"]+)\".*error(?:=|: )2\\b");
 
     private ErrorMessages() {}
 

@@ -50,6 +50,24 @@ class CampaignPlanTest {
     }
 
     @Test
+    void theColumnsOfFaultsEndWithTheirUnits() throws ScenarioException {
+        CampaignPlan plan = plan(
+                "<faults><fault sensor=\"front\" kind=\"bursts\" value=\"2\" length=\"0.1 0.3\" at=\"1\"/></faults>");
+        assertEquals(
+                List.of(
+                        "fault_kind",
+                        "fault_sensor",
+                        "fault_value",
+                        "fault_onset_s s",
+                        "fault_end_s s",
+                        "fault_length_s s"),
+                plan.factorColumns().stream()
+                        .map(column -> (column.name() + " " + column.unit()).strip())
+                        .toList());
+        assertEquals("0.3", plan.run(1).cells().get(5));
+    }
+
+    @Test
     void aRoomCanHaveAnotherTypeOfController() throws ScenarioException {
         CampaignPlan plan = SamplePlan.read(SamplePlan.text(
                 "", "<worlds><rooms/></worlds><set attribute=\"controller/@type\" value=\"wall-follower none\"/>"));

@@ -49,6 +49,11 @@ class ErrorMessagesTest {
                         "the program /usr/bin/lpr cannot be started; it may not be installed",
                         "nie można uruchomić programu /usr/bin/lpr; może nie jest zainstalowany"),
                 Arguments.of(
+                        new PrinterIOException(new IOException(
+                                "Cannot run program \"lpr\": Exec failed," + " error: 2 (No such file or directory)")),
+                        "the program lpr cannot be started; it may not be installed",
+                        "nie można uruchomić programu lpr; może nie jest zainstalowany"),
+                Arguments.of(
                         new PrinterIOException(
                                 new IOException("Cannot run program \"lpr\": error=13, Permission denied")),
                         "Cannot run program \"lpr\": error=13, Permission denied",
