@@ -65,7 +65,7 @@ public final class ExportController implements WorkspaceListener {
     private Consumer<String> errorDialog = this::showErrorDialog;
     /** The first tick of the newest recording, or {@link #NO_RECORDING}, which is less than all ticks. */
     private long recordingStart = NO_RECORDING;
-    /** Another object for each recording. */
+    /** Another object for each recording, and for each scenario. */
     private Object recordingKey = new Object();
 
     /**
@@ -191,26 +191,26 @@ public final class ExportController implements WorkspaceListener {
      * closed, the recording continues.
      */
     private void endRecording(RenderRequest request) {
-        long start = recordingStart;
+        Object ended = recordingKey;
         recording(request).ifPresent(recording -> {
             Optional<Path> file = selectFile("exportGif", ".gif");
             while (file.isEmpty()) {
                 Optional<Boolean> discard = discardQuestion.get();
                 if (discard.isEmpty()) {
-                    resumeRecording(start);
+                    resumeRecording(ended);
                 }
                 if (discard.orElse(true)) {
                     return;
                 }
                 file = selectFile("exportGif", ".gif");
             }
-            exports.start(file.get(), recording, () -> {}, () -> resumeRecording(start));
+            exports.start(file.get(), recording, () -> {}, () -> resumeRecording(ended));
         });
     }
 
     /** Continues a recording that was not written, unless its run is gone or there is a newer one. */
-    private void resumeRecording(long start) {
-        if (start == recordingStart) {
+    private void resumeRecording(Object key) {
+        if (key == recordingKey) {
             recordGif.setOn(true);
         }
     }
@@ -258,6 +258,7 @@ public final class ExportController implements WorkspaceListener {
     public void scenarioOpened() {
         recordGif.setOn(false);
         recordingStart = NO_RECORDING;
+        recordingKey = new Object();
     }
 
     @Override

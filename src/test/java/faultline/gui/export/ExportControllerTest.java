@@ -428,6 +428,36 @@ class ExportControllerTest {
     }
 
     @Test
+    void aRecordingThatCannotBeWrittenIsKeptIfTheRunIsMovedBackMeanwhile() throws IOException {
+        Path file = Files.createDirectory(folder.resolve("out.gif"));
+        runOnEdt(() -> {
+            controller.setErrorDialog(sentences::add);
+            setRecording(true);
+            setRecording(false);
+            controller.runRepositioned(4, workspace.scenario().orElseThrow().setup(), false);
+        });
+        Await.until("the failure", () -> !sentences.isEmpty());
+        assertTrue(callOnEdt(action("record")::isOn));
+        Files.delete(file);
+        assertEquals(2, recordedFrameCount(), "ticks 4 and 9 of 12");
+    }
+
+    @Test
+    void aRecordingThatCannotBeWrittenIsNotKeptIfAnotherOneHasBegunAtItsTick() throws IOException {
+        Files.createDirectory(folder.resolve("out.gif"));
+        runOnEdt(() -> {
+            controller.setErrorDialog(sentences::add);
+            setRecording(true);
+            setRecording(false);
+            refusals = 1;
+            setRecording(true);
+            setRecording(false);
+        });
+        Await.until("the failure", () -> !sentences.isEmpty());
+        assertFalse(callOnEdt(action("record")::isOn));
+    }
+
+    @Test
     void aRecordingWithoutAFileIsDiscardedOnlyOnRequest() throws IOException {
         List<Optional<Boolean>> answers =
                 new ArrayList<>(List.of(Optional.of(false), Optional.of(true), Optional.empty()));
