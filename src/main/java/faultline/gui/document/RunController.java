@@ -111,9 +111,15 @@ public final class RunController implements WorkspaceListener {
         workspace.openDocument().ifPresent(now -> restart(now, now.edited(), () -> {}));
     }
 
-    /** Moves the robot's start in the edited scenario and restarts the run, asynchronously. */
-    public void restartAt(Pose start) {
-        restartWith(scenario -> scenario.withSetup(scenario.setup().withStart(start)));
+    /**
+     * Moves the robot's start in the edited scenario and restarts the run, asynchronously. {@code move} is called once,
+     * as soon as the run has answered all commands, with the start by then.
+     */
+    public void moveStart(UnaryOperator<Pose> move) {
+        restartWith(scenario -> {
+            SimulationSetup setup = scenario.setup();
+            return scenario.withSetup(setup.withStart(move.apply(setup.start())));
+        });
     }
 
     /**

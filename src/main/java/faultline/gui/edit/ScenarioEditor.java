@@ -43,6 +43,35 @@ public final class ScenarioEditor {
         }
     }
 
+    /** A move of the robot's start. */
+    private static final class StartMove implements SetupChange {
+
+        private final RunController run;
+        private final Pose after;
+        /** Set again when the start is moved: an earlier move may still have been to come. */
+        private Pose before;
+
+        StartMove(RunController run, Pose before, Pose after) {
+            this.run = run;
+            this.before = before;
+            this.after = after;
+        }
+
+        @Override
+        public void undo() {
+            // A move that is still to be made is made before this.
+            run.moveStart(start -> before);
+        }
+
+        @Override
+        public void redo() {
+            run.moveStart(start -> {
+                before = start;
+                return after;
+            });
+        }
+    }
+
     public ScenarioEditor(RunController run, UndoController undo) {
         this.run = run;
         this.undo = undo;
@@ -83,11 +112,8 @@ public final class ScenarioEditor {
 
     /** Moves the robot's start, which restarts the run, given the setup of the run. */
     public void moveStart(SimulationSetup setup, Pose after) {
-        Pose before = setup.start();
-        run.restartAt(after);
-        undo.addSetupEdit(
-                () -> Messages.get("edit.start"),
-                after,
-                SetupChange.of(() -> run.restartAt(before), () -> run.restartAt(after)));
+        StartMove move = new StartMove(run, setup.start(), after);
+        move.redo();
+        undo.addSetupEdit(() -> Messages.get("edit.start"), after, move);
     }
 }

@@ -246,8 +246,7 @@ class EarlierRunUndoTest {
         run.advanceTo(30);
         run.send(EDIT);
         runOnEdt(() -> {
-            run.controller()
-                    .restartAt(run.workspace().scenario().orElseThrow().setup().start());
+            run.controller().moveStart(start -> start);
             run.workspace().cancelTask();
         });
         run.rest();

@@ -78,6 +78,31 @@ class MovedStartTest {
         assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
     }
 
+    /** The second move is made before the first one is in the scenario. */
+    @Test
+    void twoQuickMovesAreUndoneOneByOne() {
+        Pose further = new Pose(start.x() + 0.1, start.y(), start.heading());
+        runOnEdt(() -> {
+            moveStart();
+            editor.moveStart(run.workspace().scenario().orElseThrow().setup(), further);
+        });
+        run.rest();
+        assertEquals(further, start());
+        run.undo();
+        assertMoved();
+        run.undo();
+        assertEquals(start, start());
+        run.redo();
+        run.redo();
+        assertEquals(further, start());
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.edits().undo();
+        });
+        run.rest();
+        assertEquals(start, start());
+    }
+
     @Test
     void anotherChangeAtOnceKeepsBoth() {
         runOnEdt(() -> {
