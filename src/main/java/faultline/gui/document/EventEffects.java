@@ -123,8 +123,9 @@ final class EventEffects {
             change(with, other);
         }
         List<Command> steps = new ArrayList<>();
-        difference(with, without).forEach(ended -> ended.match(ENDS).ifPresent(steps::add));
-        steps.addAll(difference(without, with));
+        TimelineEvents.difference(with, without)
+                .forEach(ended -> ended.match(ENDS).ifPresent(steps::add));
+        steps.addAll(TimelineEvents.difference(without, with));
         steps.forEach(step -> change(with, step));
         return others.isEmpty() && !with.equals(without) ? event.inverse() : steps;
     }
@@ -161,12 +162,5 @@ final class EventEffects {
             index++;
         }
         return index;
-    }
-
-    /** Returns the elements of a list that another one lacks, each as often as it lacks it. */
-    private static List<Command> difference(List<Command> list, List<Command> other) {
-        List<Command> rest = new ArrayList<>(list);
-        other.forEach(rest::remove);
-        return rest;
     }
 }

@@ -8,6 +8,7 @@ import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -86,6 +87,22 @@ public final class TimelineEvents {
                         .filter(planned -> subject(planned.command()).equals(subject))
                         .sorted(Comparator.comparingDouble(TimedCommand::time))
                         .toList());
+    }
+
+    /** Returns the elements of a list that another one lacks, each as often as it lacks it; of equal ones, the last. */
+    public static <T> List<T> difference(List<T> list, List<T> other) {
+        Map<T, Integer> left = new HashMap<>();
+        other.forEach(element -> left.merge(element, 1, Integer::sum));
+        List<T> difference = new ArrayList<>();
+        for (T element : list) {
+            int count = left.getOrDefault(element, 0);
+            if (count > 0) {
+                left.put(element, count - 1);
+            } else {
+                difference.add(element);
+            }
+        }
+        return difference;
     }
 
     /** Returns a scenario whose timeline lacks some events; of equal ones, it lacks the last. */

@@ -11,7 +11,6 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -181,9 +180,8 @@ public final class TimelineEditor {
     private void restore(List<TimedCommand> from, List<TimedCommand> to, TimelineItem selected) {
         List<TimedCommand> before = events(from);
         List<TimedCommand> after = events(to);
-        List<TimedCommand> wanted =
-                joined(difference(events(model().commands()), difference(before, after)), difference(after, before));
-        setTimeline(joined(difference(to, difference(after, wanted)), difference(wanted, after)));
+        List<TimedCommand> wanted = withDifference(events(model().commands()), before, after);
+        setTimeline(withDifference(to, after, wanted));
         restored = selected;
     }
 
@@ -193,15 +191,12 @@ public final class TimelineEditor {
                 .toList();
     }
 
-    private static List<TimedCommand> joined(List<TimedCommand> first, List<TimedCommand> second) {
-        return Stream.concat(first.stream(), second.stream()).toList();
-    }
-
-    /** Returns the commands of a timeline that another one lacks. */
-    private static List<TimedCommand> difference(List<TimedCommand> timeline, List<TimedCommand> other) {
-        List<TimedCommand> difference = new ArrayList<>(timeline);
-        other.forEach(difference::remove);
-        return difference;
+    /** Returns a timeline without what the second list lacks of the first one, and with what the first one lacks. */
+    private static List<TimedCommand> withDifference(
+            List<TimedCommand> timeline, List<TimedCommand> first, List<TimedCommand> second) {
+        List<TimedCommand> kept = TimelineEvents.difference(timeline, TimelineEvents.difference(first, second));
+        return Stream.concat(kept.stream(), TimelineEvents.difference(second, first).stream())
+                .toList();
     }
 
     /** Returns, once, the item that the last undo or redo brought back; empty if there is none. */

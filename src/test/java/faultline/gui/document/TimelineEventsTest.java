@@ -1,13 +1,18 @@
 package faultline.gui.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** When the timeline ends the faults that are active. */
@@ -63,5 +68,41 @@ class TimelineEventsTest {
         assertEquals(List.of(NEVER), TimelineEvents.ends(List.of(LEFT_WEAK), timeline, 0));
         assertEquals(List.of(7.0), TimelineEvents.ends(List.of(new Command.InjectFault("front", stuck)), timeline, 0));
         assertEquals(List.of(), TimelineEvents.ends(List.of(), timeline, 0));
+    }
+
+    @Test
+    void aDifferenceHasWhatIsMissingAsOftenAsItIsInItsOrder() {
+        assertEquals(
+                List.of("c", "a", "a"),
+                TimelineEvents.difference(List.of("a", "c", "b", "a", "a"), List.of("b", "a", "d", "b")));
+        assertEquals(List.of(), TimelineEvents.difference(List.of("a"), List.of("a", "a")));
+        assertEquals(List.of("a"), TimelineEvents.difference(List.of("a"), List.of()));
+    }
+
+    /** An undo compares the whole timeline with the one before, which may have many thousand commands. */
+    @Test
+    void theComparisonsOfADifferenceAreInProportionToTheLists() {
+        AtomicInteger comparisons = new AtomicInteger();
+        List<Counted> list = IntStream.range(0, 1000)
+                .mapToObj(i -> new Counted(i, comparisons))
+                .toList();
+        List<Counted> reversed = new ArrayList<>(list);
+        Collections.reverse(reversed);
+        assertEquals(List.of(list.get(999)), TimelineEvents.difference(list, reversed.subList(1, 1000)));
+        assertTrue(comparisons.get() < 5000, "comparisons: " + comparisons);
+    }
+
+    /** A number that counts how often it is compared. */
+    private record Counted(int number, AtomicInteger comparisons) {
+        @Override
+        public boolean equals(Object other) {
+            comparisons.incrementAndGet();
+            return other instanceof Counted that && that.number == number;
+        }
+
+        @Override
+        public int hashCode() {
+            return number;
+        }
     }
 }
