@@ -16,7 +16,6 @@ import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.JCheckBox;
@@ -61,10 +60,6 @@ final class SensorRow {
         cone.withName("sensor.cone", id).withColumns(4);
         configureEnabledBox();
         installSelectionListeners(() -> chosen.accept(id));
-    }
-
-    private Optional<SensorSpec> spec() {
-        return sender.pendingEdits().robot().sensor(id);
     }
 
     /** Selects the row on a click on its badge, or when one of its controls gains the focus. */
@@ -122,12 +117,14 @@ final class SensorRow {
 
     /** Changes the sensor; does nothing if a field loses the focus because the robot has no such sensor any more. */
     private void configureSensor(UnaryOperator<SensorSpec> change) {
-        spec().ifPresent(spec -> sender.send(new Command.ConfigureSensor(change.apply(spec))));
+        sender.pendingEdits()
+                .robot()
+                .sensor(id)
+                .ifPresent(spec -> sender.send(new Command.ConfigureSensor(change.apply(spec))));
     }
 
-    /** Shows the current state of the sensor. */
-    void setSnapshot(SensorSnapshot snapshot) {
-        SensorSpec shown = spec().orElseThrow();
+    /** Shows the settings of the sensor as they will be after all pending edits, and its current readings. */
+    void setSensor(SensorSpec shown, SensorSnapshot snapshot) {
         if (enabledBox.isSelected() != shown.on()) {
             enabledBox.setSelected(shown.on());
         }

@@ -4,6 +4,7 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.Palette;
+import faultline.sensor.SensorSpec;
 import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.EventQueue;
@@ -44,8 +45,9 @@ public final class SensorsPanel extends JPanel {
             ids = now;
             rebuild(sensors);
         }
+        List<SensorSpec> expected = sender.pendingEdits().robot().sensors();
         for (int i = 0; i < rows.size(); i++) {
-            rows.get(i).setSnapshot(sensors.get(i));
+            rows.get(i).setSensor(expected.get(i), sensors.get(i));
         }
     }
 
