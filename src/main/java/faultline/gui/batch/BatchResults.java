@@ -16,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -70,6 +71,14 @@ final class BatchResults {
     /** Returns the number of the run of a row. The runs of a part of a campaign do not begin at 0. */
     long run(int row) {
         return Long.parseLong(rows.get(row).get(0));
+    }
+
+    /** Returns the first row of some runs; empty if none of them has a row. */
+    OptionalInt firstRow(Collection<Long> runs) {
+        return runs.stream()
+                .filter(rowsByRun::containsKey)
+                .mapToInt(rowsByRun::get)
+                .min();
     }
 
     /** Returns the numbers of all runs. */

@@ -266,6 +266,13 @@ final class ResultTable extends RowTable {
         });
     }
 
+    /** Shows or hides the rows from an index on, by what has been set to show them, which has changed since. */
+    void updateRows(int first) {
+        if (first < model.rows.size()) {
+            model.fireTableRowsUpdated(first, model.rows.size() - 1);
+        }
+    }
+
     /** Makes each column as wide as its heading and its first rows, and narrower if all together lack room. */
     private void fitColumns() {
         boolean before = compact;

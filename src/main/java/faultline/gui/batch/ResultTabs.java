@@ -8,6 +8,7 @@ import java.awt.EventQueue;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
@@ -35,6 +36,7 @@ final class ResultTabs {
     /** Whether more rows of runs will be added when other events have been handled. */
     private boolean addingRows;
 
+    /** The runs of the selected cell, which their table shows; null for all. */
     private Set<Long> shownRuns;
 
     /**
@@ -125,13 +127,20 @@ final class ResultTabs {
                 : results.runs();
     }
 
+    /** Shows the runs of the selected cell. If some have been added, the other rows need not be sorted again. */
     private void filterRuns() {
         Set<Long> runs = cellTable.selectedIndex().isPresent() ? new HashSet<>(selectedRuns()) : null;
-        if (runs == null && shownRuns == null) {
+        if (Objects.equals(runs, shownRuns)) {
             return;
         }
-        shownRuns = runs;
-        runTable.showRows(runs == null ? row -> true : row -> runs.contains(results.run(row)));
+        if (runs != null && shownRuns != null && runs.containsAll(shownRuns)) {
+            runs.removeAll(shownRuns);
+            shownRuns.addAll(runs);
+            results.firstRow(runs).ifPresent(runTable::updateRows);
+        } else {
+            shownRuns = runs;
+            runTable.showRows(runs == null ? row -> true : row -> runs.contains(results.run(row)));
+        }
     }
 
     private void showRuns(int cell) {

@@ -9,8 +9,10 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
@@ -87,6 +89,30 @@ class ResultTableTest {
         runOnEdt(() -> table.showRows(row -> row > 2));
         assertEquals(List.of("d", "e"), column(0));
         assertEquals(OptionalInt.of(3), callOnEdt(table::selectedIndex));
+    }
+
+    @Test
+    void rowsThatAreUpdatedJoinTheOrderWithoutAnotherSortOfAllRows() {
+        runOnEdt(() -> {
+            IntStream.range(4, 1000).forEach(i -> table.addRows(List.of(row("r" + i, Integer.toString(i % 7)))));
+            table.getRowSorter().toggleSortOrder(1);
+            Set<Integer> shown = new HashSet<>(IntStream.range(0, 990).boxed().toList());
+            List<Integer> asked = new ArrayList<>();
+            table.showRows(row -> {
+                asked.add(row);
+                return shown.contains(row);
+            });
+            asked.clear();
+            shown.add(994);
+            table.updateRows(990);
+            assertEquals(Set.of(990, 991, 992, 993, 994, 995, 996, 997, 998, 999), Set.copyOf(asked));
+            assertEquals(991, table.getRowCount());
+            table.updateRows(1000);
+        });
+        // Before the empty one, which is the last of all.
+        List<String> numbers = column(1).subList(0, 990);
+        assertEquals(numbers.stream().sorted().toList(), numbers);
+        assertTrue(column(0).contains("r994"));
     }
 
     private static List<ResultCell> row(String name, String number) {

@@ -34,13 +34,14 @@ class ResultTabsTest {
         runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
     }
 
+    private JTable table(int tab) {
+        return ComponentFinder.findAll(tabs.getComponentAt(tab), JTable.class)
+                .findFirst()
+                .orElseThrow();
+    }
+
     private String text(int tab, int row, int column) {
-        return callOnEdt(() -> {
-            JTable table = ComponentFinder.findAll(tabs.getComponentAt(tab), JTable.class)
-                    .findFirst()
-                    .orElseThrow();
-            return String.valueOf(table.getValueAt(row, column));
-        });
+        return callOnEdt(() -> String.valueOf(table(tab).getValueAt(row, column)));
     }
 
     /** Returns a finished batch of two runs. */
@@ -121,11 +122,8 @@ class ResultTabsTest {
                 results.add(next);
             }
             new ResultTabs(tabs, results, index -> {}).update(run.cells());
-            JTable table = ComponentFinder.findAll(tabs.getComponentAt(1), JTable.class)
-                    .findFirst()
-                    .orElseThrow();
-            assertEquals(ResultTabs.BLOCK, table.getRowCount());
-            return table;
+            assertEquals(ResultTabs.BLOCK, table(1).getRowCount());
+            return table(1);
         });
         run.delete();
         // Each block is an event of its own.
@@ -133,5 +131,50 @@ class ResultTabsTest {
         runOnEdt(() -> {});
         assertEquals(count, callOnEdt(runs::getRowCount));
         assertEquals(Integer.toString(count - 1), callOnEdt(() -> String.valueOf(runs.getValueAt(count - 1, 0))));
+    }
+
+    private static CampaignCell withRuns(CampaignCell cell, List<Long> runs) {
+        return new CampaignCell(
+                cell.labels(),
+                cell.sum(),
+                runs,
+                cell.carriedOn(),
+                cell.withoutContact(),
+                cell.coverageOrNaN(),
+                cell.distanceRmsOrNaN());
+    }
+
+    /** To sort a million runs takes seconds. */
+    @Test
+    void theRunsOfTheSelectedCellAreFilteredAgainOnlyIfTheyHaveChanged() throws Exception {
+        BatchRun run = twoRuns();
+        List<String> row = run.takeRow();
+        runOnEdt(() -> {
+            BatchResults results = new BatchResults(run.planOrNull());
+            for (int i = 0; i < 100; i++) {
+                List<String> next = new ArrayList<>(row);
+                next.set(0, Integer.toString(i));
+                results.add(next);
+            }
+            CampaignCell cell = run.cells().get(0);
+            ResultTabs shown = new ResultTabs(tabs, results, index -> {});
+            shown.update(List.of(withRuns(cell, List.of(1L, 3L))));
+            table(0).setRowSelectionInterval(0, 0);
+            table(1).getRowSorter().toggleSortOrder(0);
+            assertEquals(2, table(1).getRowCount());
+            List<Object> sorted = new ArrayList<>();
+            table(1).getRowSorter().addRowSorterListener(sorted::add);
+            shown.update(List.of(withRuns(cell, List.of(1L, 3L))));
+            assertEquals(List.of(), sorted);
+            shown.update(List.of(withRuns(cell, List.of(1L, 3L, 90L, 98L))));
+            assertEquals(4, table(1).getRowCount());
+            assertEquals("98", String.valueOf(table(1).getValueAt(3, 0)));
+            table(0).clearSelection();
+            assertEquals(100, table(1).getRowCount());
+            table(0).setRowSelectionInterval(0, 0);
+            shown.update(List.of(withRuns(cell, List.of(5L, 3L))));
+            assertEquals(2, table(1).getRowCount());
+        });
+        run.delete();
     }
 }
