@@ -5,12 +5,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The durations and visits of a controller's states, and the counts of its transitions.
+ * The durations and visits of a controller's states, and the counts of its transitions. The states of the wall follower
+ * and the transitions between them are complete. Of others, those are left out that first appear after
+ * {@link #MAX_COUNTS} states, or transitions.
  *
  * @param states the states, in the order of their first appearance
  * @param transitions the transitions, in the order of their first appearance
  */
 public record StateTally(List<StateVisits> states, List<TransitionCount> transitions) {
+
+    /** The number of states, and of transitions, after which only those of the wall follower are added. */
+    public static final int MAX_COUNTS = 500;
 
     /** The tally of a run that is not recorded. */
     public static final StateTally EMPTY = new StateTally(List.of(), List.of());

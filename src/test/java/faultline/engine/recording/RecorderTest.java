@@ -275,6 +275,39 @@ class RecorderTest {
         }
     }
 
+    /** Such as a controller that reports its distance as its state. */
+    @Test
+    void theStatesOfAControllerThatNamesANewOneInEveryTickAreLimited() {
+        int limit = StateTally.MAX_COUNTS;
+        List<String> names = new ArrayList<>();
+        LongStream.range(0, 2 * limit).forEach(i -> names.addAll(List.of("d=" + i, "d=1")));
+        names.addAll(List.of("FOLLOW", "ROUND", "FOLLOW", "FOLLOW"));
+        Telemetry[] telemetry = {Telemetry.ofState(ControllerState.of("NONE"))};
+        Controller controller = observation -> {
+            telemetry[0] = telemetry[0].entering(names.get((int) observation.tick()), "", observation.tick());
+            return new Decision(0, 0, telemetry[0]);
+        };
+        Recorder recorder = new Recorder(room);
+        try (Simulation simulation = new Simulation(room, controller, ControllerMode.DIRECT, recorder)) {
+            recorder.observe(simulation);
+            for (int i = 0; i < names.size(); i++) {
+                simulation.tick();
+                recorder.observe(simulation);
+            }
+        }
+        StateTally tally = recorder.view().stateTally();
+        assertEquals(limit + 2, tally.states().size());
+        assertEquals(limit + 2, tally.transitions().size());
+        ControllerState repeated = ControllerState.of("d=1");
+        assertEquals(2 * limit + 1, tally.visitsTo(repeated).orElseThrow().ticks());
+        assertEquals(3, tally.visitsTo(FollowerState.FOLLOW).orElseThrow().ticks());
+        assertEquals(1, tally.visitsTo(FollowerState.ROUND).orElseThrow().visits());
+        assertEquals(1, tally.transitionCount(FollowerState.FOLLOW, FollowerState.ROUND));
+        assertEquals(1, tally.transitionCount(FollowerState.ROUND, FollowerState.FOLLOW));
+        assertEquals(1, tally.transitionCount(repeated, ControllerState.of("d=5")));
+        assertEquals(Optional.empty(), tally.visitsTo(ControllerState.of("d=" + limit)));
+    }
+
     @Test
     void timeInStatesAndTransitionsAddUp() {
         try (Session session = Session.start(room)) {
