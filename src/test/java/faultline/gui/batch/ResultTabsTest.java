@@ -3,6 +3,7 @@ package faultline.gui.batch;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
@@ -85,6 +86,31 @@ class ResultTabsTest {
         assertEquals(
                 List.of(List.of("all"), List.of("few")),
                 cells.stream().map(CampaignCell::labels).toList());
+    }
+
+    @Test
+    void theTableOfRunsLacksOnlyTheEndOfFaults() throws Exception {
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        """
+                <worlds><scenario file="a.xml"/></worlds>
+                <set attribute="@duration" value="3 4" name="extend_s"/>
+                <set attribute="@tick" value="0.01 0.02" name="week_end_s"/>
+                <faults><healthy/><fault kind="stuck" sensor="left" value="0.3" at="1" until="2"/></faults>
+                """));
+        assertEquals(
+                List.of(
+                        "run",
+                        "seed",
+                        "extend_s",
+                        "week_end_s",
+                        "fault_kind",
+                        "fault_sensor",
+                        "fault_value",
+                        "fault_onset_s"),
+                new BatchResults(plan).runColumns().subList(0, 8));
+        assertFalse(new BatchResults(plan).runColumns().contains("fault_end_s"));
     }
 
     @Test
