@@ -18,6 +18,9 @@ import java.util.Set;
  */
 public final class CampaignPlan {
 
+    /** The maximum number of runs; more are considered a mistake. */
+    public static final long MAX_RUNS = 10_000_000;
+
     /** The greatest absolute value of a seed, and the greatest number of a generated room. */
     public static final long MAX_SEED = 1_000_000_000_000L;
 

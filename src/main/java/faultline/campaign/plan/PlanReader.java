@@ -22,9 +22,6 @@ final class PlanReader {
 
     static final XmlFormat FORMAT = new XmlFormat("urn:faultline:campaign:1", "campaign");
 
-    /** The maximum number of runs; more are considered a mistake. */
-    static final long MAX_RUNS = 10_000_000;
-
     private static final List<String> CHILD_ELEMENTS =
             List.of("description", "worlds", "seeds", "set", "variants", "faults", "masks");
     private static final List<String> SINGLE_ELEMENTS = List.of("description", "worlds", "seeds");
@@ -98,7 +95,7 @@ final class PlanReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         Seeds seeds = new Seeds(fields.integer("first", -CampaignPlan.MAX_SEED, CampaignPlan.MAX_SEED, 1), (int)
-                fields.integer("count", 1, MAX_RUNS, 1));
+                fields.integer("count", 1, CampaignPlan.MAX_RUNS, 1));
         fields.reportUnknownAndMissing();
         return seeds;
     }
@@ -151,9 +148,11 @@ final class PlanReader {
 
     /** Reports a number of runs that is too large, and returns whether it is. */
     static boolean reportTooMany(XmlElement node, double runs, Problems problems) {
-        if (runs > MAX_RUNS) {
-            problems.add(node, PlanProblem.TOO_MANY_RUNS.with(String.format(Locale.ROOT, "%.0f", runs), MAX_RUNS));
+        if (runs > CampaignPlan.MAX_RUNS) {
+            problems.add(
+                    node,
+                    PlanProblem.TOO_MANY_RUNS.with(String.format(Locale.ROOT, "%.0f", runs), CampaignPlan.MAX_RUNS));
         }
-        return runs > MAX_RUNS;
+        return runs > CampaignPlan.MAX_RUNS;
     }
 }

@@ -73,7 +73,7 @@ final class WorldsReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         long first = fields.integer("first", 0, CampaignPlan.MAX_SEED, 1);
-        int count = (int) fields.integer("count", 1, PlanReader.MAX_RUNS, 1);
+        int count = (int) fields.integer("count", 1, CampaignPlan.MAX_RUNS, 1);
         int minCorner = (int)
                 fields.integer("minCorner", RoomRules.MIN_CORNER, RoomRules.MAX_CORNER, RoomRules.DEFAULT.minCorner());
         int visitors = (int) fields.integer("visitors", 0, RoomRules.MAX_VISITORS, RoomRules.DEFAULT.visitors());

@@ -299,12 +299,17 @@ final class BatchForm extends JPanel {
             overruled.setText(OverruledChoice.describe(plan, !controllerChoice().isScenarioDefault()));
             overruled.setVisible(!overruled.getText().isEmpty());
             OptionalLong runs = plan.runCount();
-            count.setText(
-                    runs.isPresent()
-                            ? Messages.get("batch.count", Long.toString(runs.getAsLong()))
-                            : Messages.get("batch.invalid"));
+            count.setText(runs.isPresent() ? countText(runs.getAsLong()) : Messages.get("batch.invalid"));
             remark.setText(plan.hasLateFaults() ? Messages.get("batch.lateFaults") : " ");
         }
+    }
+
+    private static String countText(long runs) {
+        return runs > CampaignPlan.MAX_RUNS ? tooManyText() : Messages.get("batch.count", Long.toString(runs));
+    }
+
+    private static String tooManyText() {
+        return Messages.get("batch.tooMany", Long.toString(CampaignPlan.MAX_RUNS));
     }
 
     /** Moves the focus to the first field. */
@@ -340,8 +345,14 @@ final class BatchForm extends JPanel {
     /** Commits what is being typed, and returns what is wrong with the fields; empty if nothing is. */
     Optional<FormProblem> findProblem() {
         Optional<FormProblem> refused = FormDialog.describeRefusedNumber(this);
-        if (refused.isPresent() || plan().runCount().isPresent()) {
+        if (refused.isPresent()) {
             return refused;
+        }
+        OptionalLong runs = plan().runCount();
+        if (runs.isPresent()) {
+            return runs.getAsLong() > CampaignPlan.MAX_RUNS
+                    ? Optional.of(new FormProblem(tooManyText(), seeds.textField()))
+                    : Optional.empty();
         }
         JTextField field = faults.findInvalidField().orElse(onset);
         return Optional.of(new FormProblem(

@@ -54,20 +54,23 @@ record BatchPlan(
     /** A kind of fault by its name in files, and its number in the syntax of plans; empty for a kind without one. */
     record FaultValues(String kind, String value) {}
 
-    /** Returns how many runs there are; empty if a number is not in the syntax of plans. */
+    /**
+     * Returns how many runs there are, at most {@link Long#MAX_VALUE}; empty if a number is not in the syntax of plans.
+     */
     OptionalLong runCount() {
         OptionalInt onsets = ValueSyntax.count(onset);
-        long perSensor = 0;
+        // Exact for all numbers of runs that a plan may have.
+        double perSensor = 0;
         for (FaultValues fault : faults) {
             OptionalInt values = fault.value().isEmpty() ? OptionalInt.of(1) : ValueSyntax.count(fault.value());
             if (values.isEmpty() || onsets.isEmpty()) {
                 return OptionalLong.empty();
             }
-            perSensor += (long) values.getAsInt() * onsets.getAsInt();
+            perSensor += (double) values.getAsInt() * onsets.getAsInt();
         }
-        long faulty = perSensor * sensors.size();
-        long cells = faulty == 0 ? 1 : faulty + (healthy ? 1 : 0);
-        return OptionalLong.of(cells * seeds * (diagnosis == DiagnosisChoice.BOTH ? 2 : 1));
+        double faulty = perSensor * sensors.size();
+        double cells = faulty == 0 ? 1 : faulty + (healthy ? 1 : 0);
+        return OptionalLong.of((long) (cells * seeds * (diagnosis == DiagnosisChoice.BOTH ? 2 : 1)));
     }
 
     /** Returns whether a fault may begin at the end of its run or later, so that it has no effect. */

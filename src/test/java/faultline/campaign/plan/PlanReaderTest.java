@@ -292,7 +292,7 @@ class PlanReaderTest {
         assertEquals(bounds(0, RoomRules.MAX_VISITORS), bounds(schema, "xs:attribute", "visitors"));
         assertEquals(bounds(0, CampaignPlan.MAX_SEED), bounds(schema, "xs:simpleType", "room"));
         assertEquals(bounds(-CampaignPlan.MAX_SEED, CampaignPlan.MAX_SEED), bounds(schema, "xs:simpleType", "seed"));
-        assertEquals(bounds(1, PlanReader.MAX_RUNS), bounds(schema, "xs:simpleType", "count"));
+        assertEquals(bounds(1, CampaignPlan.MAX_RUNS), bounds(schema, "xs:simpleType", "count"));
         assertEquals(5, schema.getElementsByTagName("xs:minInclusive").getLength(), "every bound is checked here");
     }
 

@@ -18,6 +18,7 @@ import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.Point;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -202,6 +203,24 @@ class BatchFormTest {
         assertTrue(problem.startsWith("1.. is not allowed. "), problem);
         type("Value of the fault: stuck", "0.4");
         assertEquals(Optional.empty(), callOnEdt(form::findProblem));
+    }
+
+    @Test
+    void moreRunsThanAPlanMayHaveAreReportedBeforeTheStart() {
+        List<BatchPlan.FaultValues> faults =
+                Collections.nCopies(17, new BatchPlan.FaultValues("stuck", "0.1..1/100000"));
+        List<String> sensors = Collections.nCopies(1008, "left");
+        BatchPlan huge = new BatchPlan(
+                scenario, 1, 1_000_000, 100, false, DiagnosisChoice.BOTH, true, faults, "0.1..1/100000", sensors);
+        assertEquals(OptionalLong.of(Long.MAX_VALUE), huge.runCount());
+        type("Start of the fault", "1..20/1000");
+        type("Value of the fault: stuck", "0.1..0.5/500");
+        String sentence = "Too many runs: at most 10000000";
+        assertEquals(sentence, problemOf("Number of seeds"));
+        assertTrue(labels().contains("|" + sentence + "|"), labels());
+        type("Value of the fault: stuck", "0.3");
+        assertEquals(Optional.empty(), callOnEdt(form::findProblem));
+        assertFalse(labels().contains(sentence), labels());
     }
 
     /** Returns the sentence about a field, which gets the focus. */
