@@ -23,6 +23,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import javax.swing.Timer;
 
 /**
@@ -241,7 +242,19 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     /** Checks in the background whether a file of the session's controller has changed. */
     void checkFiles() {
         ControllerChoice chosen = started;
-        BackgroundTasks.compute(() -> times(chosen.files()), this::compare, failure -> {});
+        BackgroundTasks.compute(() -> times(chosen.files()), newCheck(), failure -> {});
+    }
+
+    /**
+     * Returns what compares the times of the files when they are known, unless a restart has loaded the files again.
+     */
+    Consumer<Map<Path, FileTime>> newCheck() {
+        Map<Path, FileTime> before = files;
+        return now -> {
+            if (files == before) {
+                compare(now);
+            }
+        };
     }
 
     private void compare(Map<Path, FileTime> now) {

@@ -34,6 +34,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -287,6 +288,25 @@ class ControllerActionsTest {
         Files.setLastModifiedTime(program, FileTime.fromMillis(1_000_000));
         checkFiles();
         assertEquals(List.of("follower.py has changed; restart the run to load it"), keptNotes);
+    }
+
+    /** The answer of a slow disk to a check from before a restart. */
+    @Test
+    void theTimesOfTheFilesBeforeARestartAreNoChange(@TempDir Path folder) throws IOException {
+        Path program = Files.writeString(folder.resolve("follower.py"), "");
+        runOnEdt(() -> {
+            controllers.select(ControllerChoice.of(ShellWords.quoted(program.toString())));
+            controllers.sessionStarted();
+        });
+        BackgroundThreads.awaitEnd();
+        FileTime before = Files.getLastModifiedTime(program);
+        Consumer<Map<Path, FileTime>> check = callOnEdt(controllers::newCheck);
+        Files.setLastModifiedTime(program, FileTime.fromMillis(1_000_000));
+        runOnEdt(controllers::sessionStarted);
+        BackgroundThreads.awaitEnd();
+        runOnEdt(() -> check.accept(Map.of(program, before)));
+        checkFiles();
+        assertEquals(List.of(), keptNotes);
     }
 
     private void checkFiles() {
