@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 
 /**
- * Shows the newest line that a controller writes to its standard error. A line of a controller that has been replaced
- * is removed, and a later one is not shown.
+ * Shows the newest line that a controller writes to its standard error. A line of a controller of the run that has been
+ * replaced is removed, and a later one is not shown. The lines of a ghost do not depend on the run.
  */
 final class ErrorLines {
 

@@ -83,8 +83,9 @@ public final class ComparisonController implements WorkspaceListener {
 
     /**
      * Runs the edited scenario from its start to its duration with another controller and makes that the reference run,
-     * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error;
-     * {@code onStarted} is called when the controller has started.
+     * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error,
+     * until the reference run is cancelled or replaced by another one; {@code onStarted} is called when the controller
+     * has started.
      */
     public void compareWith(ControllerChoice controller, Consumer<String> errors, Runnable onStarted) {
         workspace.openDocument().ifPresent(now -> {
@@ -94,7 +95,12 @@ public final class ComparisonController implements WorkspaceListener {
             start(name, now.document().displayPath(), progress -> {
                 Scenario scenario = edited.join();
                 assert !EventQueue.isDispatchThread();
-                SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), errors);
+                Consumer<String> whileActive = line -> {
+                    if (progress.isActive()) {
+                        errors.accept(line);
+                    }
+                };
+                SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), whileActive);
                 return replay(name, new Journal(setup, List.of(), setup.ticks()), progress, onStarted);
             });
         });

@@ -21,11 +21,14 @@ import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
@@ -33,8 +36,12 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Comparison of the run with a reference run, without a display. */
 @ExtendWith(EdtChecker.class)
@@ -101,6 +108,24 @@ class ComparisonControllerTest {
             runOnEdt(run::step);
         }
         waitForTick(from + ticks);
+    }
+
+    /** Such as that it was interrupted. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
+    void theLastWordsOfACancelledGhostAreNotShown(boolean replaced, @TempDir Path folder) throws IOException {
+        Path program = Files.writeString(
+                folder.resolve("waiter.sh"),
+                "read hello; echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"waiter\"}'; echo begun >&2; "
+                        + "cat > /dev/null; echo interrupted >&2");
+        List<String> lines = new CopyOnWriteArrayList<>();
+        runOnEdt(() -> controller.compareWith(ControllerChoice.of("sh " + program), lines::add, () -> {}));
+        Await.until("the first line", () -> !lines.isEmpty());
+        runOnEdt(replaced ? controller::captureCurrentRun : controller::removeReference);
+        Await.until("the end of the lines", () -> Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().equals("faultline-child-errors")));
+        assertEquals(List.of("begun"), lines);
     }
 
     private void restart() {
