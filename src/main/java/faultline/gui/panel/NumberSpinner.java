@@ -319,8 +319,11 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
 
     private void setValueQuietly(double value) {
         updating = true;
-        setValue(value);
-        updating = false;
+        try {
+            setValue(value);
+        } finally {
+            updating = false;
+        }
     }
 
     private boolean isTyping() {

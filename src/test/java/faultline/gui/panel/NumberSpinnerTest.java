@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.function.Function;
 import javax.swing.JFormattedTextField;
 import javax.swing.JTextField;
+import javax.swing.event.ChangeListener;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -40,6 +41,20 @@ class NumberSpinnerTest {
         runOnEdt(() -> spinner.setWorldValue(0.8));
         assertEquals("0.80", callOnEdt(() -> spinner.textField().getText()));
         assertEquals(List.of(), reported);
+    }
+
+    @Test
+    void aUserChangeIsReportedAlsoAfterAnUpdateThatHasFailed() {
+        runOnEdt(() -> {
+            ChangeListener failing = event -> {
+                throw new IllegalStateException("broken listener");
+            };
+            spinner.addChangeListener(failing);
+            assertThrows(IllegalStateException.class, () -> spinner.setWorldValue(0.8));
+            spinner.removeChangeListener(failing);
+        });
+        commit("1.25");
+        assertEquals(List.of(1.25), reported);
     }
 
     @Test
