@@ -91,7 +91,6 @@ public final class StripChart extends JPanel {
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
-        setGroups(UnaryOperator.identity());
     }
 
     private static void name(JComponent control, String key) {
