@@ -21,14 +21,18 @@ final class EditSender {
         this.navigator = navigator;
     }
 
-    /** Sends commands as {@link RunController#send} describes. */
-    void send(OpenDocument open, List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+    /**
+     * Sends commands as {@link RunController#send} describes, which have the ids of obstacles after a number of changes
+     * of them.
+     */
+    void send(OpenDocument open, List<Command> commands, int renames, Consumer<List<CommandResult>> onExecuted) {
         if (!isRunning(open, onExecuted)) {
             return;
         }
         sendNamed(
                 open,
                 commands.stream(),
+                renames,
                 results -> EventQueue.invokeLater(() -> {
                     List<CommandResult> named = results.stream()
                             .map(result -> open.document().named(open.inTicksOfScenario(result)))
@@ -48,14 +52,20 @@ final class EditSender {
         return !ended;
     }
 
-    /** Sends commands with the ids that the run's sensors have; {@code onResults} is called on the run's thread. */
+    /**
+     * Sends commands with the ids that the run's sensors and obstacles have; {@code onResults} is called on the run's
+     * thread.
+     */
     private static void sendNamed(
-            OpenDocument open, Stream<Command> commands, Consumer<List<CommandResult>> onResults) {
+            OpenDocument open, Stream<Command> commands, int renames, Consumer<List<CommandResult>> onResults) {
         ScenarioDocument document = open.document();
         document.commandsSent();
         List<String> ids = open.sensorIds();
         open.session()
-                .send(commands.map(command -> document.named(command, ids)).toList(), onResults);
+                .send(
+                        commands.map(command -> document.inRun(command, renames, ids))
+                                .toList(),
+                        onResults);
     }
 
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
@@ -96,7 +106,11 @@ final class EditSender {
             return;
         }
         CompletableFuture<List<CommandResult>> executed = new CompletableFuture<>();
-        sendNamed(open, changes.stream().flatMap(change -> Stream.ofNullable(change.inRun())), executed::complete);
+        sendNamed(
+                open,
+                changes.stream().flatMap(change -> Stream.ofNullable(change.inRun())),
+                open.document().obstacleRenames(),
+                executed::complete);
         // The session answers in order, so the results are there.
         open.session()
                 .journal()

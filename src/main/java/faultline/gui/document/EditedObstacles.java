@@ -82,12 +82,35 @@ final class EditedObstacles {
     private EditedObstacles(EditedObstacles other) {
         this.base = other.base;
         this.origins = other.origins;
-        this.obstacles.putAll(other.obstacles);
-        this.removed.addAll(other.removed);
+        take(other);
+    }
+
+    private void take(EditedObstacles other) {
+        obstacles.clear();
+        obstacles.putAll(other.obstacles);
+        removed.clear();
+        removed.addAll(other.removed);
     }
 
     EditedObstacles copy() {
         return new EditedObstacles(this);
+    }
+
+    /** Returns these obstacles with another id of a sensor or an obstacle in them and in their setup. */
+    EditedObstacles renamed(Rename rename) {
+        EditedObstacles result = new EditedObstacles(rename.rename(base));
+        result.take(this);
+        result.rename(rename);
+        return result;
+    }
+
+    /** Gives the obstacles, but not their setup, the ids that they have after a change of an id. */
+    void rename(Rename rename) {
+        EditedObstacles before = copy();
+        obstacles.clear();
+        removed.clear();
+        before.obstacles.forEach((origin, obstacle) -> obstacles.put(origin.renamed(rename), rename.rename(obstacle)));
+        before.removed.forEach(origin -> removed.add(origin.renamed(rename)));
     }
 
     /** Returns the origin of the obstacle that a command at a tick is about. */

@@ -131,6 +131,18 @@ final class EditedSetup {
         robot = command.keepingSwitch(robot).appliedTo(robot);
     }
 
+    /** Makes a change that is about the ids from before a change of an id that the setup has. */
+    void changeBefore(Rename rename, Consumer<EditedSetup> change) {
+        rename(rename.inverse());
+        change.accept(this);
+        rename(rename);
+    }
+
+    private void rename(Rename rename) {
+        obstacles.rename(rename);
+        robot = rename.rename(robot);
+    }
+
     /** Returns what restores, after a command, what the setup has now. */
     Consumer<EditedSetup> reversal(CommandResult result) {
         RobotSpec robotNow = robot;

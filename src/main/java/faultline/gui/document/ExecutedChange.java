@@ -21,7 +21,7 @@ record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
                 .collect(Collectors.toSet());
     }
 
-    ExecutedChange renamed(SensorRename rename) {
+    ExecutedChange renamed(Rename rename) {
         CommandResult renamed = rename.rename(change);
         return new ExecutedChange(tick, renamed, executed == null ? null : rename.rename(executed));
     }

@@ -54,6 +54,11 @@ final class ObstacleOrigins {
         boolean isAtStart() {
             return placement == START;
         }
+
+        /** Returns the origin after a change of an id. */
+        Origin renamed(Rename rename) {
+            return new Origin(rename.renameObstacle(id), placement);
+        }
     }
 
     /** When a command of the timeline is executed: within a tick in the order of the list. */

@@ -235,10 +235,11 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
-     * Changes the id of a sensor in the edited scenario and in the commands that the run was sent. The run is simulated
-     * again up to the present tick as by {@link #change}. A command that has the earlier id gets the new one.
+     * Changes the id of a sensor or an obstacle in the edited scenario and in the commands that the run was sent. The
+     * run is simulated again up to the present tick as by {@link #change}. A command that has the earlier id gets the
+     * new one.
      */
-    public void rename(SensorRename rename) {
+    public void rename(Rename rename) {
         workspace.openDocument().ifPresent(now -> {
             now.document().rename(rename);
             workspace.fire(WorkspaceListener::titleChanged);
@@ -249,10 +250,14 @@ public final class RunController implements WorkspaceListener {
     /**
      * Sends commands, which are executed in order at the start of the same tick. {@code onExecuted} receives their
      * results on the event dispatch thread, none if the run has died; it is not called without a run. Commands may name
-     * sensors by earlier ids or by those of the edited scenario, which the results have.
+     * sensors by earlier ids or by those of the edited scenario, which the results have, and obstacles by the latter.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
-        submit(new DeferredRequest(open -> edits.send(open, commands, onExecuted), true));
+        int renames = workspace
+                .openDocument()
+                .map(open -> open.document().obstacleRenames())
+                .orElse(0);
+        submit(new DeferredRequest(open -> edits.send(open, commands, renames, onExecuted), true));
     }
 
     /**

@@ -30,8 +30,10 @@ final class ScenarioDocument {
     private int unanswered;
     /** The editor with all events of the run on the timeline while the run is moved before one of them, else null. */
     private SetupEditor moved;
-    /** The changes of ids so far, with their reverses, in order. */
-    private final List<SensorRename> renames = new ArrayList<>();
+    /** The changes of ids of sensors so far, with their reverses, in order. */
+    private final List<Rename> sensorRenames = new ArrayList<>();
+
+    private final ObstacleRenames obstacleRenames = new ObstacleRenames();
 
     /** The file of a scenario. The document after a restart has that of the one before, so a save may end after it. */
     private static final class FileState {
@@ -41,6 +43,43 @@ final class ScenarioDocument {
         private Scenario saved;
         /** What the file may hold when a save replaces it without a question, null for nothing. */
         private Scenario replaceable;
+    }
+
+    /** The changes of ids of obstacles so far, with their reverses, in order, and those that the run lacks. */
+    private static final class ObstacleRenames {
+        private final List<Rename> all = new ArrayList<>();
+        /** The number of changes that the journal had when it was made last. */
+        private int inJournal;
+        /** The number of changes that the run has. */
+        private int inRun;
+        /** The number of changes that the views have. */
+        private int inViews;
+
+        /** Returns the changes that lead from the ids after a number of changes to those after another number. */
+        private List<Rename> between(int from, int to) {
+            List<Rename> between = new ArrayList<>(all.subList(Math.min(from, to), Math.max(from, to)));
+            if (to < from) {
+                Collections.reverse(between);
+                between.replaceAll(Rename::inverse);
+            }
+            return between;
+        }
+
+        private Command named(Command command, int from, int to) {
+            Command named = command;
+            for (Rename rename : between(from, to)) {
+                named = rename.rename(named);
+            }
+            return named;
+        }
+
+        /** Continues the changes of a document whose edited scenario a new run has. */
+        void continueFrom(ObstacleRenames other) {
+            all.addAll(other.all);
+            inJournal = all.size();
+            inRun = all.size();
+            inViews = other.inViews;
+        }
     }
 
     /**
@@ -115,11 +154,12 @@ final class ScenarioDocument {
         edited = null;
     }
 
-    /** Changes the id of a sensor in the edited scenario and in the commands of the run. */
-    void rename(SensorRename rename) {
-        renames.add(rename);
-        editor = editor.withRenamedEntries(rename);
-        change(rename::rename);
+    /** Changes the id of a sensor or an obstacle in the edited scenario and in the commands of the run. */
+    void rename(Rename rename) {
+        (rename.isOfSensor() ? sensorRenames : obstacleRenames.all).add(rename);
+        editor = editor.renamed(rename);
+        initial = withRecord(rename.rename(initial));
+        edited = null;
     }
 
     /**
@@ -128,12 +168,12 @@ final class ScenarioDocument {
      * The id itself if the list lacks the sensor.
      */
     String presentId(String id, List<String> ids) {
-        int count = renames.size();
-        List<SensorRename> back = new ArrayList<>(renames);
+        int count = sensorRenames.size();
+        List<Rename> back = new ArrayList<>(sensorRenames);
         Collections.reverse(back);
-        back.replaceAll(SensorRename::inverse);
+        back.replaceAll(Rename::inverse);
         return Stream.concat(
-                        IntStream.rangeClosed(0, count).mapToObj(last -> renames.subList(count - last, count)),
+                        IntStream.rangeClosed(0, count).mapToObj(last -> sensorRenames.subList(count - last, count)),
                         Stream.of(back))
                 .map(changes -> renamedUntilIn(ids, id, changes))
                 .filter(ids::contains)
@@ -141,33 +181,80 @@ final class ScenarioDocument {
                 .orElse(id);
     }
 
-    private static String renamedUntilIn(List<String> ids, String id, List<SensorRename> changes) {
+    private static String renamedUntilIn(List<String> ids, String id, List<Rename> changes) {
         String result = id;
-        for (SensorRename change : changes) {
+        for (Rename change : changes) {
             result = ids.contains(result) ? result : change.rename(result);
         }
         return result;
     }
 
+    /** Returns the number of changes of ids of obstacles. */
+    int obstacleRenames() {
+        return obstacleRenames.all.size();
+    }
+
+    /**
+     * Returns a command of the edited scenario after a number of changes of ids of obstacles with the ids of the run,
+     * given those of its sensors.
+     */
+    Command inRun(Command command, int renames, List<String> sensorIds) {
+        return named(obstacleRenames.named(command, renames, obstacleRenames.inRun), sensorIds);
+    }
+
     /** Returns a command with the id that its sensor has in a list of the ids of a robot. */
-    Command named(Command command, List<String> ids) {
+    private Command named(Command command, List<String> ids) {
         return SensorReference.in(command)
-                .map(id -> new SensorRename(id, presentId(id, ids)).rename(command))
+                .map(id -> Rename.ofSensor(id, presentId(id, ids)).rename(command))
                 .orElse(command);
     }
 
-    /** Returns commands with the ids that their sensors have in the edited scenario. */
+    /** Returns commands of the run with the ids that their sensors and obstacles have in the edited scenario. */
     List<Command> named(List<Command> commands) {
         List<String> ids = edited().setup().robot().sensorIds();
-        return commands.stream().map(command -> named(command, ids)).toList();
+        return commands.stream()
+                .map(command -> named(obstacleRenames.named(command, obstacleRenames.inRun, obstacleRenames()), ids))
+                .toList();
     }
 
-    /** Returns the result of a command with the id that its sensor has in the edited scenario. */
+    /** Returns the result of a command of the run with the ids of the edited scenario. */
     CommandResult named(CommandResult result) {
         List<String> ids = edited().setup().robot().sensorIds();
-        return SensorReference.in(result.command())
-                .map(id -> new SensorRename(id, presentId(id, ids)).rename(result))
+        CommandResult named = SensorReference.in(result.command())
+                .map(id -> Rename.ofSensor(id, presentId(id, ids)).rename(result))
                 .orElse(result);
+        for (Rename rename : obstacleRenames.between(obstacleRenames.inRun, obstacleRenames())) {
+            named = rename.rename(named);
+        }
+        return named;
+    }
+
+    /** Returns a command of the views with the id that its obstacle has in the edited scenario. */
+    Command ofViews(Command command) {
+        return obstacleRenames.named(command, obstacleRenames.inViews, obstacleRenames());
+    }
+
+    /** Returns the id that an obstacle of the views has in the edited scenario. */
+    String ofViews(String id) {
+        return renamed(id, obstacleRenames.between(obstacleRenames.inViews, obstacleRenames()));
+    }
+
+    /**
+     * Returns what gives the obstacles of the views the ids that they have in the run, which they have from now on;
+     * empty if they have them already.
+     */
+    Optional<UnaryOperator<String>> takeRenames() {
+        List<Rename> taken = obstacleRenames.between(obstacleRenames.inViews, obstacleRenames.inRun);
+        obstacleRenames.inViews = obstacleRenames.inRun;
+        return taken.isEmpty() ? Optional.empty() : Optional.of(id -> renamed(id, taken));
+    }
+
+    private static String renamed(String id, List<Rename> changes) {
+        String renamed = id;
+        for (Rename change : changes) {
+            renamed = change.renameObstacle(renamed);
+        }
+        return renamed;
     }
 
     /** Returns a scenario as the record of a run again, if the file holds one with this setup. */
@@ -181,6 +268,7 @@ final class ScenarioDocument {
 
     /** Returns the setup at the start of the run, and the commands executed since then or still ahead. */
     Journal journal(long ticks) {
+        obstacleRenames.inJournal = obstacleRenames();
         return moved == null
                 ? new Journal(initial.setup(), editor.entries(), ticks)
                 : new Journal(withTimelineOf(moved).setup(), moved.entries(), ticks);
@@ -238,6 +326,7 @@ final class ScenarioDocument {
 
     /** Follows the run to a tick; returns whether all events of the run have become commands of the timeline. */
     boolean runRepositioned(long tick) {
+        obstacleRenames.inRun = obstacleRenames.inJournal;
         boolean onTimeline = moved != null;
         if (onTimeline) {
             editor = moved;
@@ -283,7 +372,8 @@ final class ScenarioDocument {
             edited = null;
         }
         editor = other.editor.restarted(initial.setup());
-        renames.addAll(other.renames);
+        sensorRenames.addAll(other.sensorRenames);
+        obstacleRenames.continueFrom(other.obstacleRenames);
     }
 
     /** Returns whether this is a document or continues it after restarts. */

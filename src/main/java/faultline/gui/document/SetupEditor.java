@@ -50,12 +50,21 @@ final class SetupEditor {
     private EditedSetup edited;
 
     /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
-    private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {}
+    private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {
+        UndoCommand renamed(Rename rename) {
+            return new UndoCommand(rename.rename(command), origin == null ? null : origin.renamed(rename));
+        }
+    }
 
     /** What the undo of a command restores; what that of an earlier one with the same inverse does, null for none. */
     private record Reversal(Consumer<EditedSetup> restored, Reversal earlier) {
         Reversal after(Reversal others) {
             return new Reversal(restored, earlier == null ? others : earlier.after(others));
+        }
+
+        Reversal renamed(Rename rename) {
+            return new Reversal(
+                    setup -> setup.changeBefore(rename, restored), earlier == null ? null : earlier.renamed(rename));
         }
     }
 
@@ -105,6 +114,20 @@ final class SetupEditor {
         this.baseReversals = other.baseReversals;
         this.edited = other.edited.copy();
         this.lastRemovedEvent = other.lastRemovedEvent;
+    }
+
+    /** Copies an editor with another id of a sensor or an obstacle. */
+    private SetupEditor(SetupEditor other, Rename rename) {
+        this.base = rename.rename(other.base);
+        this.baseObstacles = other.baseObstacles.renamed(rename);
+        this.baseReversals = new HashMap<>();
+        other.baseReversals.forEach(
+                (undo, reversal) -> baseReversals.put(undo.renamed(rename), reversal.renamed(rename)));
+        this.position = other.position;
+        this.lastRemovedEvent = other.lastRemovedEvent;
+        other.entries.stream().map(entry -> entry.renamed(rename)).forEach(entries::add);
+        reset();
+        entries.forEach(entry -> apply(entry.change()));
     }
 
     private void reset() {
@@ -279,12 +302,9 @@ final class SetupEditor {
         return taken;
     }
 
-    /** Returns an editor of the same setup whose executed commands have the new id of a sensor. */
-    SetupEditor withRenamedEntries(SensorRename rename) {
-        SetupEditor result = new SetupEditor(this);
-        entries.stream().map(entry -> entry.renamed(rename)).forEach(result.entries::add);
-        result.position = position;
-        return result;
+    /** Returns an editor whose setup and executed commands have another id of a sensor or an obstacle. */
+    SetupEditor renamed(Rename rename) {
+        return new SetupEditor(this, rename);
     }
 
     /** Returns the executed commands, including those that are later than the tick of a moved run. */

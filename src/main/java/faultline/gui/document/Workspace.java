@@ -16,6 +16,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 
 /**
  * Holds the open scenario and its run. Opening a file, restarting the run and moving it to another tick start a new
@@ -244,6 +245,24 @@ public final class Workspace implements AutoCloseable {
      */
     public String presentId(String id, List<String> ids) {
         return document().map(now -> now.presentId(id, ids)).orElse(id);
+    }
+
+    /** Returns a command of the views with the id that its obstacle has in the edited scenario. */
+    public Command ofViews(Command command) {
+        return document().map(now -> now.ofViews(command)).orElse(command);
+    }
+
+    /** Returns the id that an obstacle of the views has in the edited scenario. */
+    public String ofViews(String id) {
+        return document().map(now -> now.ofViews(id)).orElse(id);
+    }
+
+    /**
+     * Returns what gives the obstacles of the views the ids that they have in the run; must be called before a frame is
+     * shown. Empty if they have them already.
+     */
+    public Optional<UnaryOperator<String>> takeRenames() {
+        return document().flatMap(ScenarioDocument::takeRenames);
     }
 
     /** Returns whether the scenario has the sensor or the obstacle that a command is about. */

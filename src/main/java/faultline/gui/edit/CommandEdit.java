@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
 import faultline.gui.document.LaterChange;
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import faultline.gui.document.TimelineEvents;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -96,7 +96,7 @@ final class CommandEdit implements Edit {
     }
 
     /** Changes the id of a sensor in the commands and in what undoes them. */
-    void rename(SensorRename rename) {
+    void rename(Rename rename) {
         List<NavigableMap<Long, CommandResult>> all = List.copyOf(parts.values());
         parts.clear();
         for (NavigableMap<Long, CommandResult> results : all) {

@@ -8,6 +8,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
 
 /**
  * Sends the user's commands to the run. Numbers the gestures that they belong to, keeps those that have no effect in a
@@ -20,6 +21,7 @@ public final class CommandSender {
     private final Gestures gestures;
     private final PendingEdits pendingEdits = new PendingEdits();
     private IntFunction<Consumer<List<CommandResult>>> editListener = gestureId -> results -> {};
+    private UnaryOperator<Command> naming = UnaryOperator.identity();
     private int generation;
 
     /**
@@ -44,6 +46,11 @@ public final class CommandSender {
         editListener = listener;
     }
 
+    /** Sets what gives a command of the views the id that its obstacle has in the edited scenario. */
+    public void setNaming(UnaryOperator<Command> newNaming) {
+        naming = newNaming;
+    }
+
     /** Returns the commands that have no effect in a frame yet. */
     public PendingEdits pendingEdits() {
         return pendingEdits;
@@ -66,7 +73,8 @@ public final class CommandSender {
             int gestureId = gestures.idOf(commands.stream()
                     .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
                     .toList());
-            submit(commands, editListener.apply(gestureId));
+            List<Command> named = commands.stream().map(naming).toList();
+            submit(commands, received -> channel.accept(named, received), editListener.apply(gestureId));
         }
     }
 

@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import faultline.world.CommandResult;
 import java.util.List;
 
@@ -24,7 +24,7 @@ record EditChange(long tick, CommandEdit edit, boolean done, List<CommandResult>
         return new EditChange(tick, edit, done, newResults);
     }
 
-    EditChange renamed(SensorRename rename) {
+    EditChange renamed(Rename rename) {
         return with(results.stream().map(rename::rename).toList());
     }
 }

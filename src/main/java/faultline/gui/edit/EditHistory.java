@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
 import faultline.gui.document.LaterChange;
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
@@ -88,7 +88,7 @@ final class EditHistory {
     }
 
     /** Returns the changes of ids that lead from those that an edit has to the present ones. */
-    private List<SensorRename> renamesToNow(Edit edit) {
+    private List<Rename> renamesToNow(Edit edit) {
         int index = edits.indexOf(edit);
         if (index < 0) {
             return List.of();
@@ -96,30 +96,30 @@ final class EditHistory {
         return index < cursor ? renames(edits.subList(index, cursor)) : inverse(renames(edits.subList(cursor, index)));
     }
 
-    private static List<SensorRename> renames(List<Edit> some) {
+    private static List<Rename> renames(List<Edit> some) {
         return some.stream()
                 .flatMap(edit -> edit instanceof SetupEdit setup ? setup.renames().stream() : Stream.of())
                 .toList();
     }
 
-    private static List<SensorRename> inverse(List<SensorRename> renames) {
-        List<SensorRename> result = new ArrayList<>(renames);
+    private static List<Rename> inverse(List<Rename> renames) {
+        List<Rename> result = new ArrayList<>(renames);
         Collections.reverse(result);
-        result.replaceAll(SensorRename::inverse);
+        result.replaceAll(Rename::inverse);
         return result;
     }
 
     /** Returns the result of a command of an edit with the id that its sensor has now. */
     private CommandResult named(Edit edit, CommandResult result) {
         CommandResult named = result;
-        for (SensorRename rename : renamesToNow(edit)) {
+        for (Rename rename : renamesToNow(edit)) {
             named = rename.rename(named);
         }
         return named;
     }
 
     /** Gives the commands of edits that have been dropped, but executed in this run, other ids. */
-    private void renameDropped(List<SensorRename> renames) {
+    private void renameDropped(List<Rename> renames) {
         log.edits()
                 .filter(edit -> !edits.contains(edit))
                 .toList()
@@ -217,7 +217,7 @@ final class EditHistory {
                 command.setAhead(ahead);
                 rename(command, index);
             } else if (edit instanceof SetupEdit setup) {
-                List<SensorRename> made = done ? setup.renames() : inverse(setup.renames());
+                List<Rename> made = done ? setup.renames() : inverse(setup.renames());
                 renamePassed(index, edits.indexOf(edit), made);
                 renameDropped(made);
             }
@@ -227,15 +227,14 @@ final class EditHistory {
     /** Gives the commands of an edit that is at the cursor the ids of its place, given the index that it had before. */
     private void rename(CommandEdit edit, int before) {
         int now = edits.indexOf(edit);
-        List<SensorRename> passed =
-                renames(List.copyOf(edits.subList(Math.min(now + 1, before), Math.max(now, before + 1))));
+        List<Rename> passed = renames(List.copyOf(edits.subList(Math.min(now + 1, before), Math.max(now, before + 1))));
         (now < before ? inverse(passed) : passed).forEach(rename -> rename(edit, rename));
     }
 
     /** Gives the edits that changes of ids have passed in the list the ids of their places. */
-    private void renamePassed(int before, int now, List<SensorRename> made) {
+    private void renamePassed(int before, int now, List<Rename> made) {
         for (int i = Math.min(before, now + 1); i < Math.max(before + 1, now); i++) {
-            for (SensorRename rename : made) {
+            for (Rename rename : made) {
                 if (edits.get(i) instanceof CommandEdit command) {
                     rename(command, rename);
                 } else if (edits.get(i) instanceof EventEdit events) {
@@ -245,7 +244,7 @@ final class EditHistory {
         }
     }
 
-    private void rename(CommandEdit edit, SensorRename rename) {
+    private void rename(CommandEdit edit, Rename rename) {
         edit.rename(rename);
         log.rename(edit, rename);
     }

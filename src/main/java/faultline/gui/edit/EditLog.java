@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -65,7 +65,7 @@ final class EditLog {
     }
 
     /** Gives the results of an edit's changes the new id of a sensor. */
-    void rename(CommandEdit edit, SensorRename rename) {
+    void rename(CommandEdit edit, Rename rename) {
         changes.replaceAll(change -> change.edit() == edit ? change.renamed(rename) : change);
     }
 

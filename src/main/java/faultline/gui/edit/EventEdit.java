@@ -1,8 +1,8 @@
 package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.Rename;
 import faultline.gui.document.RunController;
-import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
 import faultline.scenario.Scenario;
 import faultline.world.CommandResult;
@@ -35,7 +35,7 @@ record EventEdit(CommandEdit edit, List<TimedCommand> events, RunController run)
     }
 
     /** Returns this edit with another id of a sensor. */
-    EventEdit renamed(SensorRename rename) {
+    EventEdit renamed(Rename rename) {
         edit.rename(rename);
         return new EventEdit(
                 edit,

@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
+import faultline.gui.document.Rename;
 import faultline.gui.document.SensorReference;
-import faultline.gui.document.SensorRename;
 import faultline.gui.document.TimelineEvents;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -43,7 +43,7 @@ final class ExecutedEvents {
         /** Returns an event about the same sensor with the id that the edit has for it. */
         CommandResult named(CommandResult event) {
             return SensorReference.in(event.command())
-                    .map(id -> new SensorRename(id, SensorReference.in(command).orElseThrow()))
+                    .map(id -> Rename.ofSensor(id, SensorReference.in(command).orElseThrow()))
                     .map(rename -> rename.rename(event))
                     .orElse(event);
         }

@@ -2,8 +2,8 @@ package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
+import faultline.gui.document.Rename;
 import faultline.gui.document.RunController;
-import faultline.gui.document.SensorRename;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.util.function.Supplier;
@@ -104,8 +104,8 @@ public final class ScenarioEditor {
         run.change(change);
     }
 
-    /** Changes the id of a sensor. */
-    void rename(SensorRename rename) {
+    /** Changes the id of a sensor or an obstacle. */
+    void rename(Rename rename) {
         undo.addRename(rename, run::rename);
         run.rename(rename);
     }

@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import faultline.gui.document.Workspace;
 import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
@@ -86,12 +86,12 @@ public final class SensorEditor {
             return Optional.empty();
         }
         if (!AttributeReader.isId(newId)) {
-            return Optional.of(Messages.get("sensor.id.invalid"));
+            return Optional.of(Messages.get("id.invalid"));
         }
         if (ids.contains(newId)) {
             return Optional.of(Messages.get("sensor.id.taken", newId));
         }
-        editor.rename(new SensorRename(id, newId));
+        editor.rename(Rename.ofSensor(id, newId));
         return Optional.empty();
     }
 

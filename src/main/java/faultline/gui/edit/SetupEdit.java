@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -14,8 +14,7 @@ import java.util.function.Supplier;
  * @param change the change
  * @param renames the changes of ids among what the edit changes, in order
  */
-record SetupEdit(Supplier<String> nameSource, int gestureId, SetupChange change, List<SensorRename> renames)
-        implements Edit {
+record SetupEdit(Supplier<String> nameSource, int gestureId, SetupChange change, List<Rename> renames) implements Edit {
 
     SetupEdit {
         renames = List.copyOf(renames);
@@ -42,7 +41,7 @@ record SetupEdit(Supplier<String> nameSource, int gestureId, SetupChange change,
 
     /** Returns one edit that replaces this one and a later one of the same gesture. */
     SetupEdit mergedWith(SetupEdit later) {
-        List<SensorRename> all = new ArrayList<>(renames);
+        List<Rename> all = new ArrayList<>(renames);
         all.addAll(later.renames);
         return new SetupEdit(later.nameSource, gestureId, change.mergedWith(later.change), all);
     }

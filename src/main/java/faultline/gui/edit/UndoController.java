@@ -3,8 +3,8 @@ package faultline.gui.edit;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.LaterChange;
+import faultline.gui.document.Rename;
 import faultline.gui.document.RunController;
-import faultline.gui.document.SensorRename;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
@@ -152,11 +152,11 @@ public final class UndoController {
         onStateChange.run();
     }
 
-    /** Records that a sensor has got another id, given what changes ids. */
-    void addRename(SensorRename rename, Consumer<SensorRename> action) {
+    /** Records that a sensor or an obstacle has got another id, given what changes ids. */
+    void addRename(Rename rename, Consumer<Rename> action) {
         int id = gestures.idOf(List.of(new EditTarget(EditTarget.SETUP, rename, false)));
         addSetupEdit(new SetupEdit(
-                () -> Messages.get("edit.renameSensor", rename.before(), rename.after()),
+                () -> Messages.get("edit.rename", rename.before(), rename.after()),
                 id,
                 SetupChange.of(() -> action.accept(rename.inverse()), () -> action.accept(rename)),
                 List.of(rename)));

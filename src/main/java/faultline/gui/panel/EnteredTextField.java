@@ -2,10 +2,12 @@ package faultline.gui.panel;
 
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.UiText;
+import faultline.io.XmlText;
 import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import javax.swing.JTextField;
 
 /**
@@ -16,6 +18,49 @@ import javax.swing.JTextField;
 public abstract class EnteredTextField extends JTextField implements ControlPanel.PendingField {
 
     private final transient RefusalNote note = new RefusalNote(this);
+
+    /** The id of what is selected, which can be changed. */
+    public static final class IdField extends EnteredTextField {
+
+        private final transient BiFunction<String, String, Optional<String>> rename;
+        /** Empty if nothing is selected. */
+        private String id = "";
+
+        /**
+         * Creates a disabled field with the accessible name of a key, given what changes an id to another one and
+         * returns why that is refused, empty if it is not.
+         */
+        public IdField(String key, int columns, BiFunction<String, String, Optional<String>> rename) {
+            super(key, columns);
+            this.rename = rename;
+            setEnabled(false);
+        }
+
+        @Override
+        protected String valueText() {
+            return id;
+        }
+
+        @Override
+        protected Optional<String> apply(String text) {
+            String entered = XmlText.oneLine(text);
+            Optional<String> refusal = rename.apply(id, entered);
+            if (refusal.isEmpty()) {
+                id = entered;
+            }
+            return refusal;
+        }
+
+        /** Selects another id, empty for none, after what is typed has been applied to the one before. */
+        public void setId(String newId) {
+            if (!newId.equals(id)) {
+                commitPendingEdit();
+                id = newId;
+                showValue();
+                setEnabled(!newId.isEmpty());
+            }
+        }
+    }
 
     /** Creates an empty field with the accessible name of a key and the tool tip of {@code KEY.tip}. */
     protected EnteredTextField(String key, int columns) {

@@ -4,7 +4,6 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.UiText;
-import faultline.io.XmlText;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
@@ -16,7 +15,6 @@ import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.DefaultComboBoxModel;
@@ -37,7 +35,7 @@ public final class SensorDetailsPanel extends JPanel {
     private final transient CommandSender sender;
     private final transient SensorMountFields mountFields;
     private final transient List<Consumer<String>> listeners = new ArrayList<>();
-    private final SensorIdField idField;
+    private final EnteredTextField.IdField idField;
     private final JComboBox<String> sensorChoice = new JComboBox<>();
     private final transient FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
     private final JButton inject = UiText.button("faults.inject");
@@ -46,50 +44,11 @@ public final class SensorDetailsPanel extends JPanel {
     private final FaultList faultList;
     private List<String> ids = List.of();
 
-    /** The id of the selected sensor, which can be changed. */
-    private static final class SensorIdField extends EnteredTextField {
-
-        private final transient BiFunction<String, String, Optional<String>> rename;
-        /** Empty if there is no sensor. */
-        private String id = "";
-
-        SensorIdField(BiFunction<String, String, Optional<String>> rename) {
-            super("faults.id", ID_COLUMNS);
-            this.rename = rename;
-            setEnabled(false);
-        }
-
-        @Override
-        protected String valueText() {
-            return id;
-        }
-
-        @Override
-        protected Optional<String> apply(String text) {
-            String entered = XmlText.oneLine(text);
-            Optional<String> refusal = rename.apply(id, entered);
-            if (refusal.isEmpty()) {
-                id = entered;
-            }
-            return refusal;
-        }
-
-        /** Selects another sensor, empty for none, after what is typed has been applied to the one before. */
-        void setSensor(String newId) {
-            if (!newId.equals(id)) {
-                commitPendingEdit();
-                id = newId;
-                showValue();
-                setEnabled(!newId.isEmpty());
-            }
-        }
-    }
-
     /** Creates a panel without sensors. */
     SensorDetailsPanel(CommandSender sender, ControlPanel.SensorEdits edits) {
         super(new BorderLayout(0, SECTION_GAP));
         this.sender = sender;
-        this.idField = new SensorIdField(edits.rename());
+        this.idField = new EnteredTextField.IdField("faults.id", ID_COLUMNS, edits.rename());
         this.mountFields = new SensorMountFields(sender);
         this.faultList = new FaultList(sender);
         configureControls();
@@ -110,7 +69,7 @@ public final class SensorDetailsPanel extends JPanel {
     }
 
     private void showSensor() {
-        idField.setSensor(selectedSensor().orElse(""));
+        idField.setId(selectedSensor().orElse(""));
         mountFields.setSensor(selectedSensor().orElse(null));
     }
 

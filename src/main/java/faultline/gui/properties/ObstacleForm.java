@@ -5,6 +5,8 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.EditLimits;
+import faultline.gui.edit.ObstacleEditor;
+import faultline.gui.panel.EnteredTextField;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.WrappingGridLayout;
@@ -33,10 +35,13 @@ final class ObstacleForm extends JPanel {
     private static final double RIGHT_ANGLE = 90;
     private static final double USUAL_SPECULAR_ANGLE = 20;
     private static final double USUAL_SPEED = 0.2;
+    private static final int ID_COLUMNS = 8;
     /** Fewer than there is room for. */
     private static final int NOTE_COLUMNS = 20;
 
     private final transient CommandSender sender;
+    private final transient ObstacleEditor editor;
+    private final EnteredTextField.IdField idField;
     private final NumberSpinner x = coordinate((old, value) -> new Pose(value, old.y(), old.heading()));
     private final NumberSpinner y = coordinate((old, value) -> new Pose(old.x(), value, old.heading()));
     private final NumberSpinner heading = new NumberSpinner(
@@ -63,25 +68,28 @@ final class ObstacleForm extends JPanel {
     /** Null if none is shown. */
     private transient Obstacle obstacle;
 
-    ObstacleForm(CommandSender sender) {
+    ObstacleForm(CommandSender sender, ObstacleEditor editor) {
         super(new WrappingGridLayout());
         this.sender = sender;
-        FormConstraints.addRow(this, 0, "obstacle.x", x.withColumns(8));
-        FormConstraints.addRow(this, 1, "obstacle.y", y.withColumns(8));
-        FormConstraints.addRow(this, 2, "obstacle.heading", heading.withColumns(8));
-        size.addTo(this, 3);
+        this.editor = editor;
+        this.idField = new EnteredTextField.IdField("obstacle.id", ID_COLUMNS, editor::rename);
+        FormConstraints.addRow(this, 0, "obstacle.id", idField);
+        FormConstraints.addRow(this, 1, "obstacle.x", x.withColumns(8));
+        FormConstraints.addRow(this, 2, "obstacle.y", y.withColumns(8));
+        FormConstraints.addRow(this, 3, "obstacle.heading", heading.withColumns(8));
+        size.addTo(this, 4);
         planNote.setColumns(NOTE_COLUMNS);
         RefreshSteps.add(planNote, note -> note.setText(Messages.get("obstacle.plan")));
-        add(planNote, FormConstraints.fillRow(0, 11));
+        add(planNote, FormConstraints.fillRow(0, 12));
         glossy.addActionListener(event -> change(old ->
                 old.withSpecularAngle(glossy.isSelected() ? Degrees.toRadians(USUAL_SPECULAR_ANGLE) : Obstacle.MATT)));
         loop.addActionListener(event -> change(old -> old.withMotion(new WaypointPath(
                 old.motion().speed(), loop.isSelected(), old.motion().waypoints()))));
-        add(glossy, FormConstraints.fillRow(1, 6));
-        FormConstraints.addRow(this, 7, "obstacle.specularAngle", specularAngle.withColumns(8));
-        FormConstraints.addRow(this, 8, "obstacle.waypoints", waypoints);
-        FormConstraints.addRow(this, 9, "obstacle.speed", speed.withColumns(8));
-        add(loop, FormConstraints.fillRow(1, 10));
+        add(glossy, FormConstraints.fillRow(1, 7));
+        FormConstraints.addRow(this, 8, "obstacle.specularAngle", specularAngle.withColumns(8));
+        FormConstraints.addRow(this, 9, "obstacle.waypoints", waypoints);
+        FormConstraints.addRow(this, 10, "obstacle.speed", speed.withColumns(8));
+        add(loop, FormConstraints.fillRow(1, 11));
         setObstacle(null);
     }
 
@@ -133,6 +141,7 @@ final class ObstacleForm extends JPanel {
 
     /** Shows an obstacle as it will be after the commands that were sent, or disabled fields if it is null. */
     void setObstacle(Obstacle obstacleOrNull) {
+        idField.setId(obstacleOrNull == null ? "" : editor.editedId(obstacleOrNull));
         obstacle = obstacleOrNull;
         Optional<Obstacle> shown = Optional.ofNullable(obstacle).map(sender.pendingEdits()::expected);
         Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));

@@ -2,6 +2,7 @@ package faultline.gui.properties;
 
 import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ObstacleEditor;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.panel.WrappingGridLayout;
@@ -40,11 +41,11 @@ public final class ObstaclePanel extends JPanel {
     private boolean updating;
     private int skippedFrames = FRAMES_PER_UPDATE;
 
-    /** Creates an empty panel, given what receives changes and what selects on the canvas. */
-    public ObstaclePanel(CommandSender sender, CanvasTools tools) {
+    /** Creates an empty panel, given what receives changes, what renames and what selects on the canvas. */
+    public ObstaclePanel(CommandSender sender, ObstacleEditor editor, CanvasTools tools) {
         this.sender = sender;
         this.tools = tools;
-        form = new ObstacleForm(sender);
+        form = new ObstacleForm(sender, editor);
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         list.setVisibleRowCount(VISIBLE_ROWS);
         list.setPrototypeCellValue("mmmmmmmmmmmm");

@@ -10,6 +10,7 @@ import faultline.gui.action.SensorActions;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ObstacleEditor;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PositionedSplitPane;
@@ -88,9 +89,15 @@ final class MainPanel extends JPanel {
     private transient SessionFrame shownFrame;
 
     /**
-     * What carries out the user's edits of the run, of the scenario's settings, of its sensors and of its time line.
+     * What carries out the user's edits of the run, of the scenario's settings, of its sensors, of the ids of its
+     * obstacles and of its time line.
      */
-    record Editors(CommandSender sender, ScenarioEditor scenario, SensorActions sensors, TimelineEditor timeline) {}
+    record Editors(
+            CommandSender sender,
+            ScenarioEditor scenario,
+            SensorActions sensors,
+            ObstacleEditor obstacles,
+            TimelineEditor timeline) {}
 
     /**
      * Creates a panel without a scenario; {@code speed} holds positions of {@link SpeedScale}, and {@code jump}
@@ -114,7 +121,7 @@ final class MainPanel extends JPanel {
         motorFaultDialog = new MotorFaultDialog(this, editors.sender());
         motors = new MotorPanel(editors.sender(), this::addMotorFault);
         controlPanel.addRobotSection("motors.title", motors);
-        obstacles = new ObstaclePanel(editors.sender(), canvas.tools());
+        obstacles = new ObstaclePanel(editors.sender(), editors.obstacles(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
@@ -175,6 +182,11 @@ final class MainPanel extends JPanel {
         controlPanel.renameSensors(presentId);
         canvas.tools().renameSensors(presentId);
         instruments.renameSensors(presentId);
+    }
+
+    /** Gives what is selected the ids that obstacles have in the next frame, as returned for the present ones. */
+    void renameObstacles(UnaryOperator<String> nextId) {
+        canvas.tools().renameObstacles(nextId);
     }
 
     /** Shows a frame of a run with a timeline; the canvas is repainted only if the frame is new. */

@@ -38,6 +38,7 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ObstacleEditor;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -209,7 +210,8 @@ public final class MainWindow extends JFrame {
 
     private MainPanel.Editors createEditors() {
         TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController);
-        return new MainPanel.Editors(commandSender, scenarioEditor, sensorActions, timeline);
+        ObstacleEditor obstacles = new ObstacleEditor(workspace, scenarioEditor);
+        return new MainPanel.Editors(commandSender, scenarioEditor, sensorActions, obstacles, timeline);
     }
 
     private void addActions() {
@@ -286,6 +288,7 @@ public final class MainWindow extends JFrame {
                 actionRegistry,
                 new RobotMenu(commandSender, sensorActions, this::addFault, mainPanel::addMotorFault));
         canvas.tools().setReservedIds(workspace::obstacleIds);
+        commandSender.setNaming(workspace::ofViews);
         canvas.tools().listeners().addStartListener(pose -> workspace
                 .scenario()
                 .ifPresent(open -> scenarioEditor.moveStart(open.setup(), pose)));

@@ -115,6 +115,7 @@ final class RunPoller implements WorkspaceListener {
             sensors = present;
             mainPanel.renameSensors(id -> workspace.presentId(id, present));
         }
+        workspace.takeRenames().ifPresent(mainPanel::renameObstacles);
         mainPanel.setFrame(frame, status, session.setup().timeline());
         replayNotifier.update(frame.frame());
         workspace.scenario().ifPresent(open -> {

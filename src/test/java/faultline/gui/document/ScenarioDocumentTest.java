@@ -100,9 +100,9 @@ class ScenarioDocumentTest {
     void anIdOfASensorIsFoundInAnEarlierAndInALaterRobot() throws ScenarioException {
         Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
         ScenarioDocument document = new ScenarioDocument(null, null, office);
-        document.rename(new SensorRename("left", "port"));
-        document.rename(new SensorRename("port", "left"));
-        document.rename(new SensorRename("left", "larboard"));
+        document.rename(Rename.ofSensor("left", "port"));
+        document.rename(Rename.ofSensor("port", "left"));
+        document.rename(Rename.ofSensor("left", "larboard"));
         for (String id : List.of("left", "port", "larboard")) {
             assertEquals("larboard", document.presentId(id, List.of("front", "larboard")));
             assertEquals("left", document.presentId(id, List.of("front", "left")));
@@ -110,14 +110,14 @@ class ScenarioDocumentTest {
             assertEquals(id, document.presentId(id, List.of("front")), "removed");
         }
         assertEquals("front", document.presentId("front", List.of("front", "larboard")));
-        document.rename(new SensorRename("rear", "left"));
-        document.rename(new SensorRename("left", "rear"));
+        document.rename(Rename.ofSensor("rear", "left"));
+        document.rename(Rename.ofSensor("left", "rear"));
         assertEquals("rear", document.presentId("left", List.of("larboard", "rear")), "the last one with this id");
     }
 
     @Test
     void theResultOfACommandAboutAnotherSensorIsNotCopied() {
-        SensorRename rename = new SensorRename("left", "port");
+        Rename rename = Rename.ofSensor("left", "port");
         CommandResult other = executed(1, new Command.SwitchSensor("right", false));
         assertSame(other, rename.rename(other));
         assertEquals(

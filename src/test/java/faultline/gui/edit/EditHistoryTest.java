@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import faultline.geometry.Pose;
 import faultline.gui.document.LaterChange;
+import faultline.gui.document.Rename;
 import faultline.gui.document.SensorReference;
-import faultline.gui.document.SensorRename;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -315,7 +315,7 @@ class EditHistoryTest {
                 () -> "rename",
                 nextGesture++,
                 SetupChange.of(() -> {}, () -> {}),
-                List.of(new SensorRename("left", "port"), new SensorRename("port", "larboard")));
+                List.of(Rename.ofSensor("left", "port"), Rename.ofSensor("port", "larboard")));
         history.add(renamed);
         assertEquals(List.of("left"), sensors(ranged), "before it");
         moveTo(5);

@@ -28,6 +28,7 @@ final class EditedRun {
     private RunController controller;
     private CommandSender sender;
     private UndoController edits;
+    private ObstacleEditor obstacles;
     private Optional<String> shownUndo = Optional.empty();
 
     EditedRun() {
@@ -37,6 +38,8 @@ final class EditedRun {
             sender = StoppedClock.sender(controller::send);
             edits = new UndoController(sender, () -> shownUndo = edits.undoName());
             edits.follow(workspace, controller);
+            obstacles = new ObstacleEditor(workspace, new ScenarioEditor(controller, edits));
+            sender.setNaming(workspace::ofViews);
             workspace.addListener(new TaskFailures());
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
         });
@@ -53,6 +56,10 @@ final class EditedRun {
 
     RunController controller() {
         return controller;
+    }
+
+    ObstacleEditor obstacles() {
+        return obstacles;
     }
 
     CommandSender sender() {
@@ -136,6 +143,13 @@ final class EditedRun {
         rest();
     }
 
+    /** Gives an obstacle of the scenario another id; returns why it is refused, empty if it is not. */
+    Optional<String> rename(String id, String newId) {
+        Optional<String> refusal = callOnEdt(() -> obstacles.rename(id, newId));
+        rest();
+        return refusal;
+    }
+
     void undo() {
         runOnEdt(edits::undo);
         rest();
@@ -157,10 +171,11 @@ final class EditedRun {
         SessionFrames.awaitTick(workspace, tick);
     }
 
-    /** Waits for the end of the last edit. */
+    /** Waits for the end of the last edit, and takes the ids of the run as the window does. */
     void rest() {
         Await.until(
                 "the end of the edit",
                 () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+        runOnEdt(workspace::takeRenames);
     }
 }

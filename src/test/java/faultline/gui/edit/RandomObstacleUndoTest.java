@@ -31,9 +31,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Random moves, new sizes and removals of obstacles that the timeline moves, replaces and removes as well, with undo,
- * redo, moves of the run and restarts. When everything is undone, the scenario is the first one, and the run is a run
- * of it. The system property {@code faultline.edits} sets the number of sequences.
+ * Random moves, new sizes, removals and new ids of obstacles that the timeline moves, replaces and removes as well,
+ * with undo, redo, moves of the run and restarts. When everything is undone, the scenario is the first one, and the run
+ * is a run of it. The system property {@code faultline.edits} sets the number of sequences.
  */
 @ExtendWith(EdtChecker.class)
 class RandomObstacleUndoTest {
@@ -43,6 +43,8 @@ class RandomObstacleUndoTest {
     private static final int PLANNED_COMMANDS = 3;
     private static final int PLANNED_TICKS = 100;
     private static final List<String> IDS = List.of("coat-stand", "chair-1");
+    /** The ids that the edited obstacles may have. */
+    private static final List<String> NAMES = List.of("coat-stand", "chair-1", "stool", "pole");
 
     private final EditedRun run = new EditedRun();
     private final Map<String, Obstacle> originals = run.scenario().setup().world().obstacles().stream()
@@ -87,7 +89,7 @@ class RandomObstacleUndoTest {
     }
 
     private void step(Random random) {
-        int kind = random.nextInt(15);
+        int kind = random.nextInt(18);
         if (kind < 4) {
             edit(random);
         } else if (kind < 6) {
@@ -104,6 +106,8 @@ class RandomObstacleUndoTest {
         } else if (kind == 12) {
             note("restart");
             run.restart();
+        } else if (kind < 16) {
+            rename(random);
         } else {
             long tick = random.nextInt((int) run.tick() + 20);
             note("move to " + tick);
@@ -113,7 +117,7 @@ class RandomObstacleUndoTest {
 
     /** Edits an obstacle that is there, as a user does, if the edit changes it. */
     private void edit(Random random) {
-        Optional<Obstacle> shown = find(shownObstacles(), IDS.get(random.nextInt(IDS.size())));
+        Optional<Obstacle> shown = find(shownObstacles(), NAMES.get(random.nextInt(NAMES.size())));
         if (shown.isEmpty()) {
             return;
         }
@@ -128,6 +132,15 @@ class RandomObstacleUndoTest {
                 && !command.equals(new Command.MoveObstacle(obstacle.id(), obstacle.pose()))) {
             note(command.toString());
             run.send(command);
+        }
+    }
+
+    /** Gives an obstacle that is there another id, unless that is taken. */
+    private void rename(Random random) {
+        String id = NAMES.get(random.nextInt(NAMES.size()));
+        String newId = NAMES.get(random.nextInt(NAMES.size()));
+        if (find(shownObstacles(), id).isPresent() && run.rename(id, newId).isEmpty()) {
+            note("rename " + id + " to " + newId);
         }
     }
 

@@ -11,7 +11,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TimelineEvents;
 import faultline.robot.MotorFault;
@@ -352,7 +352,7 @@ class UndoneEventsTest {
         List<TimedCommand> events = run.timeline();
         runOnEdt(() -> run.controller().change(now -> TimelineEvents.without(now, events)));
         run.rest();
-        runOnEdt(() -> run.controller().rename(new SensorRename("front", "nose")));
+        runOnEdt(() -> run.controller().rename(Rename.ofSensor("front", "nose")));
         run.rest();
         runOnEdt(() -> run.controller().change(now -> TimelineEvents.with(now, events)));
         run.rest();

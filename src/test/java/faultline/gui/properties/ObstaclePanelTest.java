@@ -15,7 +15,12 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.FieldExtremes;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ObstacleEditor;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
 import faultline.io.DecimalText;
 import faultline.world.Command;
@@ -70,7 +75,10 @@ class ObstaclePanelTest {
             Theme.LIGHT.install();
             sender = new CommandSender((sent, onExecuted) -> commands.addAll(sent));
             canvas = new SimulationCanvas(sender);
-            panel = new ObstaclePanel(sender, canvas.tools());
+            Workspace workspace = new Workspace();
+            ScenarioEditor scenario =
+                    new ScenarioEditor(new RunController(workspace), new UndoController(sender, () -> {}));
+            panel = new ObstaclePanel(sender, new ObstacleEditor(workspace, scenario), canvas.tools());
             update();
         });
     }

@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.SensorRename;
+import faultline.gui.document.Rename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.KeyBindings;
 import faultline.sensor.Fault;
@@ -313,8 +313,8 @@ class LaneViewTest {
             addStuck("left", 30, 40);
             updateView();
             view.select(0, 1);
-            lanes.run().rename(new SensorRename("left", "port"));
-            lanes.run().rename(new SensorRename("front", "bow"));
+            lanes.run().rename(Rename.ofSensor("left", "port"));
+            lanes.run().rename(Rename.ofSensor("front", "bow"));
             updateView();
             assertEquals(1, view.selection());
             assertEquals(

@@ -35,6 +35,7 @@ import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ObstacleEditor;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
@@ -196,7 +197,11 @@ class MainPanelTest {
         ScenarioEditor scenario = new ScenarioEditor(run, undo);
         TimelineEditor timeline = new TimelineEditor(workspace, run, undo);
         return new MainPanel(
-                canvas, new MainPanel.Editors(sender, scenario, sensors, timeline), actions, speed, tick -> {});
+                canvas,
+                new MainPanel.Editors(sender, scenario, sensors, new ObstacleEditor(workspace, scenario), timeline),
+                actions,
+                speed,
+                tick -> {});
     }
 
     private static Stream<Arguments> windowSizes() {

@@ -56,6 +56,12 @@ public final class CanvasModel {
         sensor.set(sensor.get().map(presentId));
     }
 
+    /** Lets the selected obstacles be selected in the next frame by the ids there, as returned for the present ones. */
+    public void renameObstacles(UnaryOperator<String> nextId) {
+        Set<String> awaited = pendingSelection.isEmpty() ? selection.get() : pendingSelection;
+        pendingSelection = awaited.stream().map(nextId).collect(Collectors.toUnmodifiableSet());
+    }
+
     public Optional<Frame> frame() {
         return Optional.ofNullable(frame);
     }

@@ -252,6 +252,11 @@ public final class CanvasTools {
         context.model().renameSensors(presentId);
     }
 
+    /** Lets the selected obstacles be selected in the next frame by the ids there, as returned for the present ones. */
+    public void renameObstacles(UnaryOperator<String> nextId) {
+        context.model().renameObstacles(nextId);
+    }
+
     /** Selects a sensor that is about to be added, and no obstacle, as soon as a frame has it. */
     public void selectSensorWhenPresent(String id) {
         select(Set.of());

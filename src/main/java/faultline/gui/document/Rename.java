@@ -1,0 +1,135 @@
+package faultline.gui.document;
+
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.robot.RobotSpec;
+import faultline.scenario.Scenario;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Command.CommandCases;
+import faultline.world.CommandResult;
+import faultline.world.Obstacle;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A change of the id of a sensor or an obstacle, which keeps its place in the list.
+ *
+ * @param kind what has another id
+ * @param before the id before
+ * @param after the id after, which no other one has
+ */
+public record Rename(Renamed kind, String before, String after) {
+
+    enum Renamed {
+        SENSOR,
+        OBSTACLE
+    }
+
+    /** Returns a change of the id of a sensor. */
+    public static Rename ofSensor(String before, String after) {
+        return new Rename(Renamed.SENSOR, before, after);
+    }
+
+    /**
+     * Returns a change of the id of an obstacle. Removed obstacles that had the new id get the one that is free now, so
+     * that commands about them and about this one remain different.
+     */
+    public static Rename ofObstacle(String before, String after) {
+        return new Rename(Renamed.OBSTACLE, before, after);
+    }
+
+    boolean isOfSensor() {
+        return kind == Renamed.SENSOR;
+    }
+
+    /** Returns the change back. */
+    public Rename inverse() {
+        return new Rename(kind, after, before);
+    }
+
+    /** Returns an id after this change, given the one before. */
+    String rename(String id) {
+        if (id.equals(before)) {
+            return after;
+        }
+        return !isOfSensor() && id.equals(after) ? before : id;
+    }
+
+    /** Returns the id of an obstacle after this change, given the one before. */
+    String renameObstacle(String id) {
+        return isOfSensor() ? id : rename(id);
+    }
+
+    /** Returns a scenario with the new id in the robot or the world and in all commands of the timeline. */
+    Scenario rename(Scenario scenario) {
+        return scenario.withSetup(rename(scenario.setup()));
+    }
+
+    /** Returns a setup with the new id in the robot or the world and in all commands of the timeline. */
+    SimulationSetup rename(SimulationSetup setup) {
+        List<TimedCommand> timeline = setup.timeline().stream()
+                .map(timed -> new TimedCommand(timed.time(), rename(timed.command())))
+                .toList();
+        SimulationSetup renamed = setup.withRobot(rename(setup.robot())).withTimeline(timeline);
+        return isOfSensor()
+                ? renamed
+                : renamed.withWorld(setup.world()
+                        .withObstacles(setup.world().obstacles().stream()
+                                .map(this::rename)
+                                .toList()));
+    }
+
+    /** Returns a robot with the new id. */
+    RobotSpec rename(RobotSpec robot) {
+        return isOfSensor()
+                ? robot.withSensors(robot.sensors().stream().map(this::rename).toList())
+                : robot;
+    }
+
+    private SensorSpec rename(SensorSpec sensor) {
+        return sensor.withId(rename(sensor.id()));
+    }
+
+    /** Returns an obstacle with the id that it has after this change. */
+    Obstacle rename(Obstacle obstacle) {
+        String id = renameObstacle(obstacle.id());
+        return id.equals(obstacle.id()) ? obstacle : obstacle.withId(id);
+    }
+
+    /** Returns a command about what has the new id with that id; a command about something else itself. */
+    public Command rename(Command command) {
+        Optional<String> id = isOfSensor() ? SensorReference.in(command) : ObstacleOrigins.subject(command);
+        return id.filter(now -> !rename(now).equals(now)).isEmpty()
+                ? command
+                : command instanceof Command.SensorCommand about ? about.withSensorId(after) : renamed(command);
+    }
+
+    private Command renamed(Command aboutObstacle) {
+        return aboutObstacle.match(CommandCases.<Command>ofSetup(
+                timed -> timed,
+                configureSensor -> configureSensor,
+                moveObstacle -> new Command.MoveObstacle(rename(moveObstacle.obstacle()), moveObstacle.pose()),
+                placeObstacle -> new Command.PlaceObstacle(rename(placeObstacle.obstacle())),
+                removeObstacle -> new Command.RemoveObstacle(rename(removeObstacle.obstacle())),
+                setPlatform -> setPlatform,
+                configureController -> configureController));
+    }
+
+    /**
+     * Returns the result of a command about what has the new id with that id in the command and in what undoes it; the
+     * result of a command about something else itself.
+     */
+    public CommandResult rename(CommandResult result) {
+        Command command = rename(result.command());
+        if (command == result.command()) {
+            return result;
+        }
+        return result.refusal()
+                .<CommandResult>map(reason -> new CommandResult.Refused(result.tick(), command, reason))
+                .orElseGet(() -> new CommandResult.Executed(
+                        result.tick(),
+                        command,
+                        result.inverse().stream().map(this::rename).toList()));
+    }
+}
