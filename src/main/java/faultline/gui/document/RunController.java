@@ -303,6 +303,9 @@ public final class RunController implements WorkspaceListener {
             if (open.session().status().failure().isPresent()) {
                 workspace.fire(WorkspaceListener::failedRunResumed);
             } else {
+                if (open.session().status().running()) {
+                    workspace.fire(WorkspaceListener::pauseRequested);
+                }
                 request.accept(open.session());
             }
         });

@@ -41,6 +41,9 @@ public interface WorkspaceListener {
      */
     default void setupChangeDeferred() {}
 
+    /** The user pauses the run, which pauses when its controller has answered. */
+    default void pauseRequested() {}
+
     /** The user wants to resume a run that has failed. */
     default void failedRunResumed() {}
 

@@ -81,6 +81,11 @@ final class RunPoller implements WorkspaceListener {
     }
 
     @Override
+    public void pauseRequested() {
+        mainPanel.statusBar().pauseRequested();
+    }
+
+    @Override
     public void taskFinished() {
         wake();
     }

@@ -4,18 +4,41 @@ import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import java.util.function.LongSupplier;
 
-/** Notices that a run makes no more ticks although it is not paused: its controller does not answer. */
+/**
+ * Notices that a run makes no more ticks although it is not paused, or does not pause although the user wants it: its
+ * controller does not answer.
+ */
 final class StalledRun {
 
     private static final double MIN_SECONDS = 2;
+    /** The time in which a run pauses unless it waits, long enough that ordinary pauses show nothing. */
+    private static final double PAUSE_SECONDS = 0.1;
+
     private static final double NANOS_PER_SECOND = 1e9;
 
     private final LongSupplier nanoTime;
     private long tick = -1;
     private long since;
+    /** Whether the user has paused the run, and when for the first time, while it has not paused yet. */
+    private boolean pausing;
+
+    private long pausingSince;
 
     StalledRun(LongSupplier nanoTime) {
         this.nanoTime = nanoTime;
+    }
+
+    /** Notes that the user pauses the run. */
+    void pauseRequested() {
+        if (!pausing) {
+            pausing = true;
+            pausingSince = nanoTime.getAsLong();
+        }
+    }
+
+    /** Forgets that the user has paused the run, because there is another one. */
+    void reset() {
+        pausing = false;
     }
 
     /** Returns whether the run, as it is shown now, is stalled. */
@@ -25,6 +48,8 @@ final class StalledRun {
             tick = frame.snapshot().tick();
             since = now;
         }
-        return (now - since) / NANOS_PER_SECOND > Math.max(MIN_SECONDS, 2 * frame.dt() / status.speed());
+        pausing &= status.running();
+        return (now - since) / NANOS_PER_SECOND > Math.max(MIN_SECONDS, 2 * frame.dt() / status.speed())
+                || pausing && (now - pausingSince) / NANOS_PER_SECOND > PAUSE_SECONDS;
     }
 }

@@ -73,6 +73,11 @@ final class StatusBar extends JPanel {
         return new StatusCell(key, texts);
     }
 
+    /** Notes that the user pauses the run. */
+    void pauseRequested() {
+        stalledRun.pauseRequested();
+    }
+
     /** Shows the state of the run. */
     void setFrame(SessionFrame frame, SessionStatus status) {
         assert EventQueue.isDispatchThread();
@@ -152,6 +157,7 @@ final class StatusBar extends JPanel {
     /** Removes what belongs to the previous session. */
     void reset() {
         shownRefusals = 0;
+        stalledRun.reset();
     }
 
     /** Shows the cursor position in the world, null if the cursor is outside. */

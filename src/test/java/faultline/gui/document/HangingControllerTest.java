@@ -57,6 +57,7 @@ class HangingControllerTest {
 
     private final List<Throwable> failures = new ArrayList<>();
     private int sessionCount;
+    private int pauseRequests;
     private int programs;
     private Workspace workspace;
     private RunController run;
@@ -71,6 +72,11 @@ class HangingControllerTest {
                 @Override
                 public void sessionStarted() {
                     sessionCount++;
+                }
+
+                @Override
+                public void pauseRequested() {
+                    pauseRequests++;
                 }
 
                 @Override
@@ -191,6 +197,20 @@ class HangingControllerTest {
         });
         awaitEnd(program);
         assertTrue(System.nanoTime() - closed < 20e9, "by the limit for the start");
+    }
+
+    @Test
+    void aPauseThatHasToWaitForAProgramIsAnnounced() throws Exception {
+        ProcessHandle program = hangWithAnEdit();
+        assertEquals(0, callOnEdt(() -> pauseRequests), "resumed only");
+        runOnEdt(run::toggleRunning);
+        assertEquals(1, callOnEdt(() -> pauseRequests));
+        assertTrue(callOnEdt(() -> workspace.session().orElseThrow().status()).running(), "still");
+        choose(UnaryOperator.identity());
+        awaitSession(3);
+        awaitEnd(program);
+        runOnEdt(run::step);
+        assertEquals(1, callOnEdt(() -> pauseRequests), "a step of a run that is paused");
     }
 
     @Test

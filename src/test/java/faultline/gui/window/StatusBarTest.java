@@ -80,6 +80,29 @@ class StatusBarTest {
         assertFalse(texts().contains("Waiting for an answer from the controller"));
     }
 
+    @Test
+    void aRunThatDoesNotPauseAtOnceSaysThatItWaits() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        SessionStatus paused = new SessionStatus(false, 1, 0, 0, null, null);
+        String waiting = "Waiting for an answer from the controller";
+        show(frame, running(2.0));
+        runOnEdt(bar::pauseRequested);
+        show(90, frame, running(2.0));
+        assertFalse(texts().contains(waiting), "it may pause in this moment");
+        runOnEdt(bar::pauseRequested);
+        show(110, frame, running(2.0));
+        assertTrue(texts().contains(waiting));
+        show(frame, paused);
+        assertFalse(texts().contains(waiting));
+        show(frame, running(2.0));
+        show(320, frame, running(2.0));
+        assertFalse(texts().contains(waiting), "resumed");
+        runOnEdt(bar::pauseRequested);
+        runOnEdt(bar::reset);
+        show(600, frame, running(2.0));
+        assertFalse(texts().contains(waiting), "another run");
+    }
+
     /** Two ticks of 10 ms take 5 s at this speed. */
     @Test
     void atALowSpeedTheFirstAnswerMayTakeTwoTicks() {
