@@ -54,9 +54,14 @@ final class EditNotifier implements WorkspaceListener {
         notes.show(Messages.get("edit.deferred"));
     }
 
+    /** Explains what to do; there is no earlier time to move a run to that has failed at its start. */
     @Override
     public void failedRunResumed() {
-        failureNote = Messages.get("run.failed", keystrokeText("restart"));
+        boolean atStart = workspace
+                .session()
+                .filter(session -> session.frame().snapshot().tick() == 0)
+                .isPresent();
+        failureNote = Messages.get(atStart ? "run.failedAtStart" : "run.failed", keystrokeText("restart"));
         notes.show(failureNote);
     }
 

@@ -85,7 +85,7 @@ class ControllerNotesRobotTest {
         waitForNote("ended with exit code 7");
         Files.writeString(script, READY + "exit 8\n");
         driver.choose("run");
-        waitForNote("has failed; restart it with Ctrl+R");
+        waitForNote("has failed at its start; restart it with Ctrl+R");
         makeNewer();
         waitForNote("follower.sh has changed");
         restart();

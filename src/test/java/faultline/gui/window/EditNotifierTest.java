@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -7,26 +8,54 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class EditNotifierTest {
 
-    @Test
-    void theNoteAboutAFailedRunGoesWhenTheRunIsMoved() {
-        List<String> shown = new ArrayList<>();
+    private final List<String> shown = new ArrayList<>();
+    private final Workspace workspace = callOnEdt(Workspace::new);
+    private final RunController run = callOnEdt(() -> new RunController(workspace));
+    private EditNotifier notifier;
+
+    @BeforeEach
+    void openAtStart() {
         ActionRegistry actions = new ActionRegistry();
         runOnEdt(() -> {
             actions.add(UiAction.of("restart", () -> {}).withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F5)));
-            EditNotifier notifier = new EditNotifier(
-                    new Workspace(), actions, new Notes(shown::add, text -> {}, text -> {}, shown::remove));
-            notifier.failedRunResumed();
-            assertEquals(List.of("The run has failed; restart it with F5, or move it to an earlier time"), shown);
-            notifier.runRepositioned(3, null, false);
+            notifier =
+                    new EditNotifier(workspace, actions, new Notes(shown::add, text -> {}, text -> {}, shown::remove));
+            new DocumentStore(workspace).openShipped("yard.xml");
         });
+        SessionFrames.awaitScenario(workspace);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void theNoteAboutAFailedRunGoesWhenTheRunIsMoved() {
+        runOnEdt(run::step);
+        SessionFrames.awaitTick(workspace, 1);
+        runOnEdt(notifier::failedRunResumed);
+        assertEquals(List.of("The run has failed; restart it with F5, or move it to an earlier time"), shown);
+        runOnEdt(() -> notifier.runRepositioned(0, null, false));
         assertEquals(List.of(), shown);
+    }
+
+    @Test
+    void aRunThatHasFailedAtItsStartCannotBeMovedToAnEarlierTime() {
+        runOnEdt(notifier::failedRunResumed);
+        assertEquals(List.of("The run has failed at its start; restart it with F5"), shown);
     }
 }
