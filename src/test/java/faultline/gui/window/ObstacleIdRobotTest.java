@@ -96,6 +96,28 @@ class ObstacleIdRobotTest {
     }
 
     @Test
+    void anIdWithASpaceIsSelectedByItsLetters() {
+        runOnEdt(() -> {
+            field.setText("big fax");
+            field.postActionEvent();
+            driver.canvas().tools().select(List.of("desk"));
+        });
+        driver.waitForFrame("the new id", frame -> has(frame, "big fax"));
+        driver.robot().waitFor("another one is selected", () -> field.getText().equals("desk"));
+        runOnEdt(() -> field.setText("big box"));
+        runOnEdt(() -> field.postActionEvent());
+        driver.waitForFrame("both ids", frame -> has(frame, "big box"));
+        driver.robot().waitFor("they are listed", () -> "big box".equals(list.getSelectedValue()));
+        runOnEdt(() -> list.requestFocusInWindow());
+        driver.robot().waitFor("the focus", list::isFocusOwner);
+        for (int key : new int[] {KeyEvent.VK_B, KeyEvent.VK_I, KeyEvent.VK_G, KeyEvent.VK_SPACE, KeyEvent.VK_F}) {
+            driver.robot().pressKeys(key);
+        }
+        driver.robot().waitFor("the fax", () -> "big fax".equals(list.getSelectedValue()));
+        assertEquals(0, driver.frame().snapshot().tick());
+    }
+
+    @Test
     void anIdThatIsTakenIsRefusedAndStaysInTheField() {
         type(KeyEvent.VK_D, KeyEvent.VK_E, KeyEvent.VK_S, KeyEvent.VK_K, KeyEvent.VK_ENTER);
         driver.robot().waitFor("the reason", () -> Optional.of("The scenario already has an obstacle with the id desk")

@@ -69,6 +69,39 @@ class SpaceKeyDispatcherTest {
         assertEquals(List.of("run", "run"), log);
     }
 
+    /** Sends a key to a list at a time, milliseconds; returns whether its press and its character reach the list. */
+    private List<Boolean> type(SpaceKeyDispatcher dispatcher, JList<?> list, long when, char character) {
+        int key = KeyEvent.getExtendedKeyCodeForChar(character);
+        return callOnEdt(() -> {
+            boolean pressed =
+                    dispatcher.dispatchKeyEvent(new KeyEvent(list, KeyEvent.KEY_PRESSED, when, 0, key, character));
+            boolean typed = dispatcher.dispatchKeyEvent(
+                    new KeyEvent(list, KeyEvent.KEY_TYPED, when, 0, KeyEvent.VK_UNDEFINED, character));
+            assertEquals(
+                    pressed,
+                    dispatcher.dispatchKeyEvent(new KeyEvent(list, KeyEvent.KEY_RELEASED, when, 0, key, character)));
+            return List.of(!pressed, !typed);
+        });
+    }
+
+    @Test
+    void spaceIsALetterWhileAnEntryIsSelectedByItsLetters() {
+        JList<String> list = callOnEdt(() -> new JList<>(new String[] {"big box", "desk", "big table"}));
+        runOnEdt(() -> window.add(list));
+        SpaceKeyDispatcher dispatcher = callOnEdt(() -> new SpaceKeyDispatcher(window, () -> log.add("run")));
+        assertEquals(List.of(true, true), type(dispatcher, list, 5000, 'b'));
+        assertEquals(List.of(true, true), type(dispatcher, list, 5900, 'i'));
+        assertEquals(List.of(true, true), type(dispatcher, list, 6800, 'g'));
+        assertEquals(List.of(false, true), type(dispatcher, list, 7700, ' '), "its press would end the selection");
+        assertEquals(List.of(true, true), type(dispatcher, list, 8600, 't'));
+        assertEquals(List.of(), log);
+        assertEquals(List.of(false, false), type(dispatcher, list, 9700, ' '), "after a second");
+        assertEquals(List.of("run"), log);
+        type(dispatcher, list, 12_000, 'x');
+        assertEquals(List.of(false, false), type(dispatcher, list, 12_100, ' '), "no entry begins like this");
+        assertEquals(List.of("run", "run"), log);
+    }
+
     @Test
     void spaceStartsTheRunInANumberFieldUnlessItsTextIsEdited() {
         NumberSpinner number = callOnEdt(() -> new NumberSpinner("0.0", 0, 9, 1, value -> {}));
