@@ -1,6 +1,7 @@
 package faultline.gui.properties;
 
 import faultline.geometry.Vector2;
+import faultline.gui.edit.PointShapes;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
@@ -26,7 +27,7 @@ final class SizeFields {
                     ofLengths("rectangle", rectangle.width(), rectangle.height(), ObstacleShape.RectangleShape::new),
             circle -> ofLengths("circle", circle.radius(), Double.NaN, (r, none) -> new ObstacleShape.CircleShape(r)),
             ellipse -> ofLengths("ellipse", ellipse.rx(), ellipse.ry(), ObstacleShape.EllipseShape::new),
-            polygon -> ofPoints(polygon.points(), ObstacleShape.PolygonShape::new),
+            polygon -> ofPoints(polygon.points(), SizeFields::polygon),
             wall -> ofPoints(wall.points(), ObstacleShape.WallShape::new),
             plan -> NO_FIELDS);
 
@@ -124,6 +125,14 @@ final class SizeFields {
     private static Size ofLengths(
             String kind, double first, double second, BiFunction<Double, Double, ObstacleShape> resized) {
         return new Size(kind, first, second, resized, List.of(), null);
+    }
+
+    private static ObstacleShape polygon(List<Vector2> points) {
+        ObstacleShape polygon = new ObstacleShape.PolygonShape(points);
+        if (PointShapes.areOnOneLine(points)) {
+            throw new IllegalArgumentException("a polygon without area");
+        }
+        return polygon;
     }
 
     private static Size ofPoints(List<Vector2> points, Function<List<Vector2>, ObstacleShape> redrawn) {

@@ -274,6 +274,27 @@ class ObstaclePanelTest {
                 placed(0).shape());
     }
 
+    /** A file may have such a polygon; its other attributes can be changed. */
+    @Test
+    void aPolygonWithoutAreaIsRefused() {
+        Obstacle flat = new Obstacle(
+                "flat",
+                new ObstacleShape.PolygonShape(List.of(new Vector2(0, 0), new Vector2(1, 1), new Vector2(0.1, 0.1))),
+                new Pose(1, 1, 0));
+        Runnable update = () -> show(SampleFrames.frameOf(new Pose(3, 2, 0), flat));
+        runOnEdt(() -> {
+            update.run();
+            canvas.tools().select(List.of("flat"));
+            update.run();
+        });
+        write("Points, m", "0,0 1,1 0.3,0.3");
+        assertEquals(List.of(), commands);
+        runOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Glossy").doClick(0));
+        assertTrue(placed(0).isSpecular());
+        write("Points, m", "0,0 1,1 0.3,0.31");
+        assertEquals(2, commands.size());
+    }
+
     @Test
     void severalAreAlignedByTheirEdges() {
         select("crate", "vase");

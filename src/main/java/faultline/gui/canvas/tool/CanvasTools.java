@@ -6,6 +6,7 @@ import faultline.gui.edit.PointShapes;
 import faultline.gui.edit.Rounding;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.SnapSettings;
+import faultline.gui.text.Messages;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
@@ -59,13 +60,15 @@ public final class CanvasTools {
 
     /** Activates a tool that draws a polygon from corner to corner, or freehand. */
     public void drawPolygon() {
-        activate(new PointsTool(
-                context,
-                mouse.keyPoint(),
-                3,
-                true,
-                points -> context.placeObstacle(
-                        PointShapes.polygon(context.model().newId("polygon"), points))));
+        activate(new PointsTool(context, mouse.keyPoint(), 3, true, this::placePolygon));
+    }
+
+    private boolean placePolygon(List<Vector2> points) {
+        if (PointShapes.areOnOneLine(points)) {
+            context.showNote(Messages.get("tool.line"));
+            return false;
+        }
+        return context.placeObstacle(PointShapes.polygon(context.model().newId("polygon"), points));
     }
 
     /**

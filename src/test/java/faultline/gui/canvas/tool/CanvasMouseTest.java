@@ -95,6 +95,29 @@ class CanvasMouseTest {
     }
 
     @Test
+    void aPolygonWhosePointsAreOnOneLineIsRefused() {
+        List<String> notes = new ArrayList<>();
+        runOnEdt(() -> {
+            canvas.tools().listeners().addNoteListener((note, holds) -> notes.add(note));
+            canvas.tools().drawPolygon();
+        });
+        for (Vector2 at : List.of(new Vector2(40, 40), new Vector2(80, 80), new Vector2(60, 60))) {
+            click(at);
+        }
+        runOnEdt(() -> press("ENTER"));
+        assertEquals(List.of("All points are on one line; draw a wall instead"), notes);
+        assertEquals(List.of(), sent);
+        click(new Vector2(40, 60));
+        runOnEdt(() -> press("ENTER"));
+        assertEquals(1, sent.size(), "the tool has stayed");
+    }
+
+    private void click(Vector2 at) {
+        mouse(MouseEvent.MOUSE_PRESSED, at, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_RELEASED, at, MouseEvent.BUTTON1);
+    }
+
+    @Test
     void thePointOfAToolIsShownAtThePointerOrInTheCentreOfTheView() {
         assertSketchedAt(new Vector2(300, 220));
         mouse(MouseEvent.MOUSE_MOVED, new Vector2(410, 130), MouseEvent.NOBUTTON);
