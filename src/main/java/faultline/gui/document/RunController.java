@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /** Controls the run of the workspace. Event dispatch thread only. */
@@ -205,10 +206,12 @@ public final class RunController implements WorkspaceListener {
         workspace.openDocument().ifPresent(open -> {
             pendingChanges++;
             reportDeferredEdits();
+            Supplier<List<CommandResult>> present = open.document().followRenames(changes);
             open.session()
                     .journal()
                     .whenCompleteAsync(
-                            (journal, ended) -> changeStart(open, changes, redone, onChanged), EventQueue::invokeLater);
+                            (journal, ended) -> changeStart(open, present.get(), redone, onChanged),
+                            EventQueue::invokeLater);
         });
     }
 

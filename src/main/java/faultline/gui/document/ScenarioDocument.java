@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -152,6 +153,19 @@ final class ScenarioDocument {
         editor = editor.withEarlierChanges(changes, redone);
         initial = withRecord(initial.withSetup(editor.initialSetup()));
         edited = null;
+    }
+
+    /** Returns what gives results with the present ids those that they have after the changes of ids to come. */
+    Supplier<List<CommandResult>> followRenames(List<CommandResult> results) {
+        int sensors = sensorRenames.size();
+        int obstacles = obstacleRenames();
+        return () -> {
+            List<Rename> since = new ArrayList<>(sensorRenames.subList(sensors, sensorRenames.size()));
+            since.addAll(obstacleRenames.between(obstacles, obstacleRenames()));
+            List<CommandResult> followed = new ArrayList<>(results);
+            since.forEach(rename -> followed.replaceAll(rename::rename));
+            return followed;
+        };
     }
 
     /** Changes the id of a sensor or an obstacle in the edited scenario and in the commands of the run. */

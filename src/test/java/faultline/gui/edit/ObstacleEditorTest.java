@@ -182,6 +182,25 @@ class ObstacleEditorTest {
     }
 
     @Test
+    void quickUndosOfAnEarlierRunFollowTheRenamingBetweenThem() {
+        run.send(new Command.MoveObstacle("chair-1", FAR));
+        run.rename("coat-stand", "pole");
+        run.send(new Command.MoveObstacle("pole", ASIDE));
+        run.restart();
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.edits().undo();
+        });
+        run.rest();
+        Await.until("both undos", () -> run.edits().undoName().equals(Optional.of("Move chair-1")));
+        assertEquals(
+                original.setup().world().obstacles().get(7),
+                run.atStart("coat-stand").orElseThrow());
+        undoAll();
+        assertEquals(original, run.scenario());
+    }
+
+    @Test
     void aCommandThatIsOnItsWayIsNotLost() {
         runOnEdt(() -> {
             run.sender().send(new Command.MoveObstacle("coat-stand", ASIDE));
