@@ -36,6 +36,8 @@ public final class CanvasTools {
     private final ToolContext context;
     private final CanvasMouse mouse;
     private final JComponent canvas;
+    /** The id of the obstacle whose path is drawn, or was drawn last; empty before. */
+    private String movingObstacle = "";
 
     public CanvasTools(ToolContext context, CanvasMouse mouse, JComponent canvas) {
         this.context = context;
@@ -76,10 +78,10 @@ public final class CanvasTools {
      * one obstacle is selected.
      */
     public void drawMotionPath() {
-        context.model()
-                .singleSelected()
-                .ifPresent(obstacle -> activate(new PointsTool(
-                        context, mouse.keyPoint(), 1, true, points -> setMotionPath(obstacle.id(), points))));
+        context.model().singleSelected().ifPresent(obstacle -> {
+            movingObstacle = obstacle.id();
+            activate(new PointsTool(context, mouse.keyPoint(), 1, true, this::setMotionPath));
+        });
     }
 
     /** Activates a tool that measures distances and angles until it is cancelled. */
@@ -88,9 +90,9 @@ public final class CanvasTools {
                 Gesture.CLICK_TOLERANCE / context.viewport().camera().get().scale()));
     }
 
-    private boolean setMotionPath(String id, List<Vector2> points) {
+    private boolean setMotionPath(List<Vector2> points) {
         List<Obstacle> shown = context.model().obstacles().stream()
-                .filter(obstacle -> obstacle.id().equals(id))
+                .filter(obstacle -> obstacle.id().equals(movingObstacle))
                 .toList();
         for (Obstacle obstacle : context.sender().pendingEdits().expected(shown)) {
             List<Vector2> waypoints = new ArrayList<>(points);
@@ -258,6 +260,7 @@ public final class CanvasTools {
     /** Lets the selected obstacles be selected in the next frame by the ids there, as returned for the present ones. */
     public void renameObstacles(UnaryOperator<String> nextId) {
         context.model().renameObstacles(nextId);
+        movingObstacle = nextId.apply(movingObstacle);
     }
 
     /** Selects a sensor that is about to be added, and no obstacle, as soon as a frame has it. */

@@ -166,6 +166,21 @@ class CanvasMouseTest {
     }
 
     @Test
+    void aPathIsDrawnForAnObstacleThatIsRenamedMeanwhile() {
+        runOnEdt(() -> {
+            canvas.tools().select(List.of("box"));
+            canvas.tools().drawMotionPath();
+            canvas.tools().renameObstacles(id -> "crate");
+            canvas.setFrame(SampleFrames.frameOf(
+                    new Pose(1, 1, 0),
+                    new Obstacle("crate", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(4, 2, 0))));
+        });
+        drag(screen(new Vector2(2, 3)), 0, MouseEvent.BUTTON1);
+        runOnEdt(() -> press("ENTER"));
+        assertEquals("crate", ((Command.PlaceObstacle) sent.get(0)).obstacle().id());
+    }
+
+    @Test
     void anObstacleIsResizedWhereTheRunWillPutIt() {
         runOnEdt(() -> {
             canvas.tools().select(List.of("box"));
