@@ -105,7 +105,8 @@ public final class RunPanel extends JPanel {
                     frame.telemetry().diagnosis().health(),
                     scenario.setup().dt());
         }
-        SimulationSetup setup = scenario.setup();
+        // A restart with ticks of another length may have been cancelled.
+        SimulationSetup setup = scenario.setup().withTick(frame.dt());
         long tick = frame.snapshot().tick();
         boolean ended = tick >= setup.ticks();
         timeLeft.setValue(

@@ -83,7 +83,8 @@ final class SpaceKeyDispatcher implements KeyEventDispatcher {
     @Override
     public boolean dispatchKeyEvent(KeyEvent event) {
         Component focused = event.getComponent();
-        if (focused instanceof JList<?> list && isInside(list) && typeAhead.takes(list, event)) {
+        boolean isCommand = event.isControlDown() || event.isAltDown() || event.isMetaDown();
+        if (!isCommand && focused instanceof JList<?> list && isInside(list) && typeAhead.takes(list, event)) {
             // The press would end the selection by letters.
             return event.getID() != KeyEvent.KEY_TYPED;
         }

@@ -47,9 +47,11 @@ final class StalledRun {
         if (!status.running() || frame.snapshot().tick() != tick) {
             tick = frame.snapshot().tick();
             since = now;
+            // The run was resumed before a pause was seen.
+            pausing &= (now - pausingSince) / NANOS_PER_SECOND <= PAUSE_SECONDS;
         }
         pausing &= status.running();
         return (now - since) / NANOS_PER_SECOND > Math.max(MIN_SECONDS, 2 * frame.dt() / status.speed())
-                || pausing && (now - pausingSince) / NANOS_PER_SECOND > PAUSE_SECONDS;
+                || pausing && (now - Math.max(since, pausingSince)) / NANOS_PER_SECOND > PAUSE_SECONDS;
     }
 }

@@ -48,7 +48,7 @@ class HangingControllerTest {
               echo "{\\"type\\":\\"drive\\",\\"tick\\":$i,\\"left_v\\":1,\\"right_v\\":1}"
               i=$((i+1))
             done
-            [ $i -lt ANSWERS ] || : > 'PID.hangs'
+            [ $i -lt ANSWERS ] || { read line; : > 'PID.hangs'; }
             while :; do sleep 0.1; done
             """;
 

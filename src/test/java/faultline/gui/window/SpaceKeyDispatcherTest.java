@@ -3,6 +3,7 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import faultline.gui.panel.NumberSpinner;
 import java.awt.Component;
@@ -97,6 +98,11 @@ class SpaceKeyDispatcherTest {
         assertEquals(List.of(), log);
         assertEquals(List.of(false, false), type(dispatcher, list, 9700, ' '), "after a second");
         assertEquals(List.of("run"), log);
+        type(dispatcher, list, 11_000, 'd');
+        assertFalse(
+                callOnEdt(() -> dispatcher.dispatchKeyEvent(new KeyEvent(
+                        list, KeyEvent.KEY_PRESSED, 11_100, KeyEvent.CTRL_DOWN_MASK, KeyEvent.VK_SPACE, ' '))),
+                "selects a row");
         type(dispatcher, list, 12_000, 'x');
         assertEquals(List.of(false, false), type(dispatcher, list, 12_100, ' '), "no entry begins like this");
         assertEquals(List.of("run", "run"), log);

@@ -103,26 +103,42 @@ class StatusBarTest {
         assertFalse(texts().contains(waiting), "another run");
     }
 
+    @Test
+    void aRunThatWasResumedBeforeItsPauseWasSeenDoesNotWait() {
+        show(SampleFrames.frameOf(new Pose(1, 1, 0)), running(2.0));
+        runOnEdt(bar::pauseRequested);
+        for (int tick = 1; tick < 30; tick++) {
+            show(20 * tick, frameAtTick(tick), running(2.0));
+            assertFalse(texts().contains("Waiting for an answer from the controller"), "tick " + tick);
+        }
+        show(800, frameAtTick(29), running(2.0));
+        assertFalse(texts().contains("Waiting for an answer from the controller"), "a slow tick later");
+    }
+
+    private static Frame frameAtTick(long tick) {
+        Snapshot other = SampleFrames.frameOf(new Pose(1, 1, 0)).snapshot();
+        Snapshot snapshot = new Snapshot(
+                tick,
+                tick * 0.01,
+                other.width(),
+                other.height(),
+                other.enclosed(),
+                other.robot(),
+                other.pose(),
+                other.wheelSpeeds(),
+                other.motorFaults(),
+                other.sensors(),
+                other.obstacles(),
+                other.contacts(),
+                other.collisions());
+        return new Frame(snapshot, Telemetry.ofState(FollowerState.SEARCH), 0, 0, SampleFrames.pathThrough(), 0);
+    }
+
     /** Two ticks of 10 ms take 5 s at this speed. */
     @Test
     void atALowSpeedTheFirstAnswerMayTakeTwoTicks() {
         SessionStatus slow = new SessionStatus(true, 0.004, 0, 0, null, null);
-        Snapshot later = SampleFrames.frameOf(new Pose(1, 1, 0)).snapshot();
-        Snapshot start = new Snapshot(
-                0,
-                0,
-                later.width(),
-                later.height(),
-                later.enclosed(),
-                later.robot(),
-                later.pose(),
-                later.wheelSpeeds(),
-                later.motorFaults(),
-                later.sensors(),
-                later.obstacles(),
-                later.contacts(),
-                later.collisions());
-        Frame frame = new Frame(start, Telemetry.ofState(FollowerState.SEARCH), 0, 0, SampleFrames.pathThrough(), 0);
+        Frame frame = frameAtTick(0);
         show(frame, slow);
         show(4900, frame, slow);
         assertFalse(texts().contains("Waiting for an answer from the controller"));
