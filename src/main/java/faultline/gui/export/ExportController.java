@@ -61,6 +61,7 @@ public final class ExportController implements WorkspaceListener {
     private Theme theme = Theme.LIGHT;
     private Supplier<Optional<StripContent>> chart = Optional::empty;
     private Supplier<PrintService[]> printers = PrinterJob::lookupPrintServices;
+    private boolean findsPrinters;
     private Supplier<Optional<Boolean>> discardQuestion = () -> Optional.of(true);
     private Consumer<String> errorDialog = this::showErrorDialog;
     /** The first tick of the newest recording, or {@link #NO_RECORDING}, which is less than all ticks. */
@@ -291,7 +292,19 @@ public final class ExportController implements WorkspaceListener {
 
     /** Looks for printers, which a print server may take long to list, and then asks how to print. */
     private void print(RenderRequest request) {
-        BackgroundTasks.compute(printers::get, found -> print(request, found), this::printFailed);
+        if (!findsPrinters) {
+            findsPrinters = true;
+            BackgroundTasks.compute(
+                    printers::get,
+                    found -> {
+                        findsPrinters = false;
+                        print(request, found);
+                    },
+                    failure -> {
+                        findsPrinters = false;
+                        printFailed(failure);
+                    });
+        }
     }
 
     private void print(RenderRequest request, PrintService... found) {

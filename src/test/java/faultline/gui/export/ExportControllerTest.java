@@ -182,6 +182,7 @@ class ExportControllerTest {
                 return new PrintService[0];
             });
             perform("print");
+            perform("print");
         });
         Await.until("the note", () -> !notes.isEmpty());
         assertEquals(List.of("No printer is installed"), notes);
