@@ -32,7 +32,13 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     /** The plan's name in a folder that holds a copy of all files. */
     public static final String COPY = "plan.xml";
 
-    /** Copies the map, but not the bytes, which must not be changed. */
+    /**
+     * Creates the files of a plan, from a copy of the map, but not of the bytes, which must not be changed.
+     *
+     * @param name the name of the plan, for messages
+     * @param plan its bytes
+     * @param scenarios the bytes of the scenarios, by their names in the plan, in its order
+     */
     public PlanFiles {
         scenarios = Collections.unmodifiableMap(new LinkedHashMap<>(scenarios));
     }
