@@ -226,6 +226,8 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
             if (part instanceof JButton arrow) {
                 boolean up = "Spinner.nextButton".equals(arrow.getName());
                 arrow.getAccessibleContext().setAccessibleName(Messages.get(up ? "spinner.up" : "spinner.down", name));
+                // The JDK passes a tool tip on only when it changes, and another look has other arrows.
+                arrow.setToolTipText(getToolTipText());
             }
         }
     }
