@@ -9,6 +9,8 @@ import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -46,6 +48,14 @@ public record Rename(Renamed kind, String before, String after) {
     /** Returns the change back. */
     public Rename inverse() {
         return new Rename(kind, after, before);
+    }
+
+    /** Returns the changes that lead back, in order. */
+    public static List<Rename> inverse(List<Rename> renames) {
+        List<Rename> result = new ArrayList<>(renames);
+        Collections.reverse(result);
+        result.replaceAll(Rename::inverse);
+        return result;
     }
 
     /** Returns an id after this change, given the one before. */

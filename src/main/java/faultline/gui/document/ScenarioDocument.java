@@ -8,7 +8,6 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -58,12 +57,7 @@ final class ScenarioDocument {
 
         /** Returns the changes that lead from the ids after a number of changes to those after another number. */
         private List<Rename> between(int from, int to) {
-            List<Rename> between = new ArrayList<>(all.subList(Math.min(from, to), Math.max(from, to)));
-            if (to < from) {
-                Collections.reverse(between);
-                between.replaceAll(Rename::inverse);
-            }
-            return between;
+            return from <= to ? List.copyOf(all.subList(from, to)) : Rename.inverse(all.subList(to, from));
         }
 
         private Command named(Command command, int from, int to) {
@@ -183,9 +177,7 @@ final class ScenarioDocument {
      */
     String presentId(String id, List<String> ids) {
         int count = sensorRenames.size();
-        List<Rename> back = new ArrayList<>(sensorRenames);
-        Collections.reverse(back);
-        back.replaceAll(Rename::inverse);
+        List<Rename> back = Rename.inverse(sensorRenames);
         return Stream.concat(
                         IntStream.rangeClosed(0, count).mapToObj(last -> sensorRenames.subList(count - last, count)),
                         Stream.of(back))

@@ -5,7 +5,6 @@ import faultline.gui.document.Rename;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -93,20 +92,15 @@ final class EditHistory {
         if (index < 0) {
             return List.of();
         }
-        return index < cursor ? renames(edits.subList(index, cursor)) : inverse(renames(edits.subList(cursor, index)));
+        return index < cursor
+                ? renames(edits.subList(index, cursor))
+                : Rename.inverse(renames(edits.subList(cursor, index)));
     }
 
     private static List<Rename> renames(List<Edit> some) {
         return some.stream()
                 .flatMap(edit -> edit instanceof SetupEdit setup ? setup.renames().stream() : Stream.of())
                 .toList();
-    }
-
-    private static List<Rename> inverse(List<Rename> renames) {
-        List<Rename> result = new ArrayList<>(renames);
-        Collections.reverse(result);
-        result.replaceAll(Rename::inverse);
-        return result;
     }
 
     /** Returns the result of a command of an edit with the id that its sensor has now. */
@@ -217,7 +211,7 @@ final class EditHistory {
                 command.setAhead(ahead);
                 rename(command, index);
             } else if (edit instanceof SetupEdit setup) {
-                List<Rename> made = done ? setup.renames() : inverse(setup.renames());
+                List<Rename> made = done ? setup.renames() : Rename.inverse(setup.renames());
                 renamePassed(index, edits.indexOf(edit), made);
                 renameDropped(made);
             }
@@ -228,7 +222,7 @@ final class EditHistory {
     private void rename(CommandEdit edit, int before) {
         int now = edits.indexOf(edit);
         List<Rename> passed = renames(List.copyOf(edits.subList(Math.min(now + 1, before), Math.max(now, before + 1))));
-        (now < before ? inverse(passed) : passed).forEach(rename -> rename(edit, rename));
+        (now < before ? Rename.inverse(passed) : passed).forEach(rename -> rename(edit, rename));
     }
 
     /** Gives the edits that changes of ids have passed in the list the ids of their places. */
