@@ -26,7 +26,6 @@ import faultline.gui.dialog.PreferencesDialog;
 import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.dialog.TextDropHandler;
 import faultline.gui.document.Autosave;
-import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.FileNames;
 import faultline.gui.document.FileWatch;
@@ -34,7 +33,6 @@ import faultline.gui.document.Leaving;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.RunController;
-import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.CommandSender;
@@ -44,7 +42,6 @@ import faultline.gui.edit.SensorEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.properties.ScenarioActions;
-import faultline.gui.settings.RecentFiles;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
@@ -57,7 +54,6 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -144,7 +140,7 @@ public final class MainWindow extends JFrame {
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
         fileWatch = createFileWatch();
         connectUndo();
-        workspace.addListener(new WorkspaceEvents());
+        addWorkspaceListeners();
         runPoller = createRunPoller();
         runPoller.start();
     }
@@ -206,6 +202,13 @@ public final class MainWindow extends JFrame {
         undoController.follow(workspace, runController);
         undoController.setUndoListener(editNotifier::editUndone);
         undoController.setScenarioListener(editNotifier::editChangedScenario);
+    }
+
+    private void addWorkspaceListeners() {
+        workspace.addListener(new WorkspaceEvents());
+        workspace.addListener(new RecentFilesListener(workspace, preferences.recentFiles()));
+        workspace.addListener(new FailureListener(
+                workspace, controllerActions, dialogs, () -> openShipped(ShippedScenarios.DEFAULT)));
     }
 
     private MainPanel.Editors createEditors() {
@@ -418,18 +421,13 @@ public final class MainWindow extends JFrame {
         runPoller.wake();
     }
 
-    /** Responds to events of the workspace. */
+    /** Shows events of the workspace. */
     private final class WorkspaceEvents implements WorkspaceListener {
-        /** Whether an example has been opened in place of a first file that could not be opened. */
-        private boolean exampleOpened;
 
         @Override
         public void scenarioOpened() {
-            workspace.scenario().ifPresent(scenario -> {
-                mainPanel.startScenario();
-                batchActions.scenarioOpened();
-            });
-            workspace.file().ifPresent(preferences.recentFiles()::add);
+            mainPanel.startScenario();
+            batchActions.scenarioOpened();
         }
 
         @Override
@@ -439,7 +437,6 @@ public final class MainWindow extends JFrame {
 
         @Override
         public void scenarioSaved(Path file) {
-            preferences.recentFiles().add(file);
             showSavedNote(file);
         }
 
@@ -451,36 +448,6 @@ public final class MainWindow extends JFrame {
         @Override
         public void titleChanged() {
             setTitle(fileController.documentTitle());
-        }
-
-        @Override
-        public void taskFailed(TaskKind what, Path file, Throwable cause) {
-            if (what == TaskKind.OPEN) {
-                forgetIfMissing(file);
-            }
-            if (what == TaskKind.OPEN && controllerActions.openFailed(cause)) {
-                dialogs.showControllerFailure(file, cause);
-                return;
-            }
-            boolean keepsScenario =
-                    what != TaskKind.OPEN || workspace.scenario().isPresent();
-            if (!keepsScenario && !exampleOpened) {
-                exampleOpened = true;
-                openShipped(ShippedScenarios.DEFAULT);
-            }
-            dialogs.showFailure(what, file, cause, keepsScenario);
-        }
-
-        private void forgetIfMissing(Path file) {
-            RecentFiles recent = preferences.recentFiles();
-            BackgroundTasks.compute(
-                    () -> Files.notExists(file),
-                    missing -> {
-                        if (missing) {
-                            recent.remove(file);
-                        }
-                    },
-                    failure -> {});
         }
     }
 }
