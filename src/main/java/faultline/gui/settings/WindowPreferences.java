@@ -38,8 +38,8 @@ public final class WindowPreferences {
     public static WindowPreferences forCurrentUser() {
         PREFERENCES_LOG.setLevel(Level.OFF);
         try {
-            return new WindowPreferences(
-                    WrittenPreferences.storeOf(Preferences.userRoot().node("faultline/window")));
+            return new WindowPreferences(WrittenPreferences.storeOf(
+                    Preferences.userRoot().node("faultline/window"), WrittenPreferences.DELAY_MILLIS));
         } catch (IllegalStateException | SecurityException unavailable) {
             return nonPersistent();
         }

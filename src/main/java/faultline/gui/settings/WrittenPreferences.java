@@ -24,7 +24,9 @@ import javax.swing.Timer;
 final class WrittenPreferences {
 
     private static final Logger LOG = Logger.getLogger(WrittenPreferences.class.getName());
-    private static final int MILLIS_BEFORE_WRITING = 2000;
+    /** The usual time between a change and the writing to disk, milliseconds. */
+    static final int DELAY_MILLIS = 2000;
+
     private static final int MAX_SECONDS_AT_EXIT = 5;
 
     private final Preferences node;
@@ -36,16 +38,21 @@ final class WrittenPreferences {
         return thread;
     });
 
-    private final Timer timer = new Timer(MILLIS_BEFORE_WRITING, event -> writer.execute(this::write));
+    private final Timer timer;
 
-    private WrittenPreferences(Preferences node) {
+    private WrittenPreferences(Preferences node, int delayMillis) {
         this.node = node;
+        timer = new Timer(delayMillis, event -> writer.execute(this::write));
         timer.setRepeats(false);
     }
 
-    /** Returns a store of the texts of a node, whose texts are read and set on the event dispatch thread. */
-    static PreferenceStore storeOf(Preferences node) {
-        WrittenPreferences written = new WrittenPreferences(node);
+    /**
+     * Returns a store of the texts of a node, whose texts are read and set on the event dispatch thread.
+     *
+     * @param delayMillis the time between the last change and the writing to disk, milliseconds
+     */
+    static PreferenceStore storeOf(Preferences node, int delayMillis) {
+        WrittenPreferences written = new WrittenPreferences(node, delayMillis);
         written.read();
         ShutdownHooks.add(new Thread(written::writeAtExit, "faultline-preferences-exit"));
         return new PreferenceStore(key -> written.texts.getOrDefault(key, ""), written::put);

@@ -27,8 +27,11 @@ import org.junit.jupiter.api.io.TempDir;
 /** Preferences that are written when they change, and only then. */
 class WrittenPreferencesTest {
 
+    /** The time between a change and the writing, milliseconds. */
+    private static final int DELAY = 50;
+
     private final Node node = new Node();
-    private final PreferenceStore store = WrittenPreferences.storeOf(node);
+    private final PreferenceStore store = WrittenPreferences.storeOf(node, DELAY);
 
     /** A node in memory. */
     private static final class Node extends AbstractPreferences {
@@ -163,8 +166,8 @@ class WrittenPreferencesTest {
     @Test
     void whatIsStoredIsReadAtTheStart() {
         node.texts.put("language", "POLISH");
-        assertEquals("POLISH", WrittenPreferences.storeOf(node).get("language"));
-        assertEquals("", WrittenPreferences.storeOf(node).get("theme"));
+        assertEquals("POLISH", WrittenPreferences.storeOf(node, DELAY).get("language"));
+        assertEquals("", WrittenPreferences.storeOf(node, DELAY).get("theme"));
     }
 
     @Test
@@ -180,8 +183,8 @@ class WrittenPreferencesTest {
     static final class Quitting {
         public static void main(String[] arguments) throws Exception {
             System.setProperty("java.util.prefs.userRoot", arguments[0]);
-            PreferenceStore store =
-                    WrittenPreferences.storeOf(Preferences.userRoot().node("faultline/test"));
+            PreferenceStore store = WrittenPreferences.storeOf(
+                    Preferences.userRoot().node("faultline/test"), WrittenPreferences.DELAY_MILLIS);
             System.out.print(store.get("theme"));
             runOnEdt(() -> store.put("theme", arguments[1]));
             System.exit(0);
