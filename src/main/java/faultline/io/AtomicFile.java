@@ -157,20 +157,20 @@ public final class AtomicFile implements AutoCloseable {
         }
         try {
             temporary.force();
-            temporary.applyPermissions();
-        } catch (FileSystemException e) {
+        } catch (IOException e) {
             throw problem(e);
         }
+        temporary.applyPermissions();
     }
 
     private void move() throws IOException {
         if (temporary == null) {
             return;
         }
+        stream.close();
         try {
-            stream.close();
             moveToTarget();
-        } catch (FileSystemException e) {
+        } catch (IOException e) {
             throw problem(e);
         }
         committed = true;
@@ -184,7 +184,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    private MessageException problem(FileSystemException e) {
+    private MessageException problem(IOException e) {
         return TemporaryFile.isProgramEnding() ? stream.problem(WriteProblem.PROGRAM_ENDS, e) : stream.problem(e);
     }
 

@@ -185,7 +185,7 @@ final class TemporaryFile {
         }
         Path path = createFile(folder, PosixFilePermissions.asFileAttribute(PUBLIC));
         TemporaryFile created = register(new TemporaryFile(path, Files.getPosixFilePermissions(path)));
-        Files.setPosixFilePermissions(path, PRIVATE);
+        FilePermissions.setIfPossible(path, PRIVATE);
         return created;
     }
 
@@ -288,9 +288,9 @@ final class TemporaryFile {
     }
 
     /** Gives the file the permissions of the target, or those of any new file if there is no target. */
-    void applyPermissions() throws IOException {
+    void applyPermissions() {
         if (!permissions.isEmpty()) {
-            Files.setPosixFilePermissions(path, permissions);
+            FilePermissions.setIfPossible(path, permissions);
         }
     }
 

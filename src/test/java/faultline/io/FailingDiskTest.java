@@ -163,6 +163,18 @@ class FailingDiskTest {
         assertUnchanged();
     }
 
+    /** A network or a quota may be full without any write that fails. */
+    @Test
+    void aShortFileThatDoesNotReachTheDiskIsNamed() throws Exception {
+        try (AtomicFile out = replacement()) {
+            out.stream().write(1);
+            assertEquals(
+                    folder.resolve("a.txt") + ": the file cannot be written completely",
+                    assertThrows(MessageException.class, out::commit).getMessage());
+        }
+        assertUnchanged();
+    }
+
     @Test
     void moreContentDoesNotHideThatEarlierContentDidNotReachTheDisk() throws Exception {
         try (AtomicFile out = replacement()) {

@@ -1,6 +1,7 @@
 package faultline.gui.document;
 
 import faultline.io.AtomicFile;
+import faultline.io.FilePermissions;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -112,12 +113,10 @@ public final class RecoveryStore {
     /** Creates the folder, which only its owner may look into. */
     private void createPrivateFolder() throws IOException {
         Files.createDirectories(folder);
-        if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-            Set<PosixFilePermission> ownerOnly = PosixFilePermissions.fromString("rwx------");
-            Files.setPosixFilePermissions(folder, ownerOnly);
-            if (folder.endsWith(HOME_FOLDER.resolve("recovery"))) {
-                Files.setPosixFilePermissions(folder.getParent(), ownerOnly);
-            }
+        Set<PosixFilePermission> ownerOnly = PosixFilePermissions.fromString("rwx------");
+        FilePermissions.setIfPossible(folder, ownerOnly);
+        if (folder.endsWith(HOME_FOLDER.resolve("recovery"))) {
+            FilePermissions.setIfPossible(folder.getParent(), ownerOnly);
         }
     }
 
