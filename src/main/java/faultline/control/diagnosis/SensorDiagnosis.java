@@ -213,6 +213,18 @@ public final class SensorDiagnosis {
         }
     }
 
+    /**
+     * Trusts the sensors again that gave no answer and have answered for some time since, 3 s at first. For a robot at
+     * rest, whose sensors cannot confirm each other: they see the same places all the time.
+     */
+    public void trustAnswering() {
+        for (int i = 0; i < sensors.length; i++) {
+            if (assessment.trustIfAnswering(i, motion.time())) {
+                report.update(i, assessment, tick);
+            }
+        }
+    }
+
     /** {@return whether a sensor has been found blind just now, because it misses a surface ahead of the robot} */
     public boolean hasMissedSurface() {
         return assessment.hasFoundBlind(motion.time());

@@ -220,6 +220,23 @@ final class TrustAssessment {
         trust(sensor, time);
     }
 
+    /**
+     * Trusts a sensor again that gave no answer, has answered for its probation, and is not contradicted by more than a
+     * trusted one may be. Others need not confirm it.
+     *
+     * @return whether it is trusted again
+     */
+    boolean trustIfAnswering(int sensor, double time) {
+        TrustRecord record = records[sensor];
+        boolean answers = record.finding == SensorFinding.OFF
+                && record.hasServedProbation(time)
+                && conflicts.against(sensor, trusted) <= THRESHOLD;
+        if (answers) {
+            trust(sensor, time);
+        }
+        return answers;
+    }
+
     void fade(int sensor, double share) {
         conflicts.fade(sensor, share);
         records[sensor].confirmations *= share;

@@ -85,6 +85,9 @@ public final class FaultTolerantFollower implements Controller {
             return;
         }
         Rung.Strategy before = rung.strategy();
+        if (before == Rung.Strategy.STOP) {
+            diagnosis.trustAnswering();
+        }
         boolean wasStuck = before == Rung.Strategy.MAP && mapFollower.isStuck();
         if (wasStuck) {
             stuckWith = mapSensors;

@@ -138,6 +138,53 @@ class StopTest {
         assertEquals(300, runUntilStop(setup).time(), 0.02);
     }
 
+    private static List<TimedCommand> switched(List<String> sensors, double off, double on) {
+        List<TimedCommand> timeline = new ArrayList<>();
+        sensors.forEach(id -> timeline.add(new TimedCommand(off, new Command.SwitchSensor(id, false))));
+        sensors.forEach(id -> timeline.add(new TimedCommand(on, new Command.SwitchSensor(id, true))));
+        return timeline;
+    }
+
+    private static SimulationSetup inARoom(List<TimedCommand> timeline) {
+        return setup(
+                new WorldSpec(6, 4, true, 3, List.of()),
+                new Pose(1.2, 3, 0),
+                RobotSpec.DEFAULT,
+                WallSide.LEFT,
+                timeline);
+    }
+
+    /** At rest, the sensors cannot confirm each other. */
+    @ParameterizedTest
+    @CsvSource({
+        "front-left left rear-left, 0.01",
+        "front-left left rear-left, 15",
+        "front front-left left rear-left rear rear-right right front-right, 0.5",
+    })
+    void itDrivesOnSomeSecondsAfterItsSensorsAnswerAgain(String sensors, double silence) {
+        List<TimedCommand> timeline = switched(List.of(sensors.split(" ")), 20, 20 + silence);
+        assertEquals(
+                "STOP", run(inARoom(timeline), 20.1).telemetry().diagnosis().rung());
+        assertEquals(
+                "STOP",
+                run(inARoom(timeline), 22.9 + silence).telemetry().diagnosis().rung());
+        Simulation trusting = run(inARoom(timeline), 23.2 + silence);
+        assertEquals("ALL", trusting.telemetry().diagnosis().rung());
+        Simulation later = run(inARoom(timeline), 30 + silence);
+        assertTrue(trusting.pose().position().distanceTo(later.pose().position()) > 1, "it drives");
+        assertTrue(run(inARoom(timeline), 100).collision().isEmpty());
+    }
+
+    @Test
+    void aSensorThatIsSilentNowAndThenIsTrustedLaterEachTime() {
+        List<String> sensors = List.of("front-left", "left", "rear-left");
+        List<TimedCommand> timeline = new ArrayList<>(switched(sensors, 20, 21));
+        timeline.addAll(switched(sensors, 30, 31));
+        assertEquals(
+                "STOP", run(inARoom(timeline), 36.9).telemetry().diagnosis().rung());
+        assertEquals("ALL", run(inARoom(timeline), 37.2).telemetry().diagnosis().rung());
+    }
+
     /** Returns a robot in a closed cell. Without its front sensor, it makes no progress with the local map. */
     private static SimulationSetup inACell(double speed, TimedCommand... later) {
         List<TimedCommand> timeline = new ArrayList<>();
