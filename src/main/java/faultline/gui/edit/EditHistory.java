@@ -5,7 +5,9 @@ import faultline.gui.document.Rename;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
@@ -265,14 +267,28 @@ final class EditHistory {
 
     /**
      * Drops what the run had not executed when a command was executed, also of a gesture that it had passed in part;
-     * returns the number of edits that are no longer redone automatically.
+     * returns what is no longer redone and undone automatically.
      */
-    int fork(long tick) {
+    ForkedEdits fork(long tick) {
         advanceTo(tick - 1);
         log.cutGestures();
-        boolean any = log.removeAhead();
+        List<EditChange> dropped = log.ahead();
+        log.removeAhead();
         advanceTo(tick);
-        return any ? editsAhead().size() : 0;
+        return forked(dropped);
+    }
+
+    /** Returns what changes that have been dropped would have redone and undone. */
+    private ForkedEdits forked(List<EditChange> dropped) {
+        if (dropped.isEmpty()) {
+            return new ForkedEdits(0, 0);
+        }
+        Map<Edit, Boolean> last = new HashMap<>();
+        dropped.forEach(change -> last.put(change.edit(), change.done()));
+        long undos = edits.subList(0, cursor).stream()
+                .filter(edit -> Boolean.FALSE.equals(last.get(edit)))
+                .count();
+        return new ForkedEdits(editsAhead().size(), (int) undos);
     }
 
     /**
@@ -310,14 +326,14 @@ final class EditHistory {
 
     /**
      * Forgets when edits of this run were done and undone, except for events: the run is simulated without them.
-     * Returns the number of edits that are no longer redone automatically.
+     * Returns what is no longer redone and undone automatically.
      */
-    int startChanged() {
+    ForkedEdits startChanged() {
         log.cutGestures();
-        List<EditChange> all = log.changes();
-        boolean ahead = all.subList(log.passed().size(), all.size()).stream().anyMatch(IS_EVENT.negate());
+        List<EditChange> dropped =
+                log.ahead().stream().filter(IS_EVENT.negate()).toList();
         log.removeIf(IS_EVENT.negate());
-        return ahead ? editsAhead().size() : 0;
+        return forked(dropped);
     }
 
     /** Replaces the edits of events that are done, given what was executed for them in this run. */

@@ -75,12 +75,14 @@ final class EditLog {
         changes.removeIf(condition);
     }
 
-    /** Removes the changes that the run has not passed; returns whether there were any. */
-    boolean removeAhead() {
-        List<EditChange> ahead = changes.subList(passed, changes.size());
-        boolean any = !ahead.isEmpty();
-        ahead.clear();
-        return any;
+    /** Returns the changes that the run has not passed. */
+    List<EditChange> ahead() {
+        return List.copyOf(changes.subList(passed, changes.size()));
+    }
+
+    /** Removes the changes that the run has not passed. */
+    void removeAhead() {
+        changes.subList(passed, changes.size()).clear();
     }
 
     /** Drops the commands that the run has not executed of gestures that it has passed in part. */

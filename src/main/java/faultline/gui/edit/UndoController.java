@@ -19,7 +19,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
@@ -43,7 +42,7 @@ public final class UndoController {
     private final Gestures gestures;
     private final EditHistory history = new EditHistory();
     private final UndoRequests requests = new UndoRequests(history, this::apply);
-    private IntConsumer forkListener = laterEdits -> {};
+    private Consumer<ForkedEdits> forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private BiConsumer<String, Boolean> scenarioListener = (name, redone) -> {};
     private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
@@ -64,8 +63,8 @@ public final class UndoController {
         sender.setEditListener(this::editSent);
     }
 
-    /** Sets the listener that is called with the number of edits that must be redone manually after an earlier edit. */
-    public void setForkListener(IntConsumer listener) {
+    /** Sets the listener that is called with what must be redone and undone manually after an earlier edit. */
+    public void setForkListener(Consumer<ForkedEdits> listener) {
         forkListener = listener;
     }
 
@@ -121,9 +120,9 @@ public final class UndoController {
         }
     }
 
-    private void reportFork(int laterEdits) {
-        if (laterEdits > 0) {
-            forkListener.accept(laterEdits);
+    private void reportFork(ForkedEdits forked) {
+        if (!forked.isEmpty()) {
+            forkListener.accept(forked);
         }
     }
 

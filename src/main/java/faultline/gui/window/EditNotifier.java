@@ -6,6 +6,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.ForkedEdits;
 import faultline.gui.text.Messages;
 import faultline.world.Collision;
 
@@ -23,8 +24,16 @@ final class EditNotifier implements WorkspaceListener {
         this.notes = notes;
     }
 
-    void timelineForked(int later) {
-        notes.show(Messages.get("edit.forked", Integer.toString(later)));
+    void timelineForked(ForkedEdits forked) {
+        String edits = Integer.toString(forked.edits());
+        String undos = Integer.toString(forked.undos());
+        if (forked.undos() == 0) {
+            notes.show(Messages.get("edit.forked", edits));
+        } else if (forked.edits() == 0) {
+            notes.show(Messages.get("edit.forked.undos", undos));
+        } else {
+            notes.show(Messages.get("edit.forked.both", edits, undos));
+        }
     }
 
     /** Explains why the run does not show that an edit has been undone or redone. */

@@ -18,6 +18,7 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.ForkedEdits;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -48,7 +49,7 @@ class RunNavigatorTest {
     @TempDir
     private Path folder;
 
-    private final List<Integer> forks = new ArrayList<>();
+    private final List<ForkedEdits> forks = new ArrayList<>();
     private final List<Long> undone = new ArrayList<>();
     private Workspace workspace;
     private RunController run;
@@ -114,7 +115,7 @@ class RunNavigatorTest {
         assertEquals(FIRST, pole());
         edit(new Command.SwitchSensor("left", false));
         assertEquals(FIRST, pole(), "a new edit comes after it");
-        assertEquals(List.of(1), forks, "only the edit at tick 20 is ahead");
+        assertEquals(List.of(new ForkedEdits(1, 0)), forks, "only the edit at tick 20 is ahead");
     }
 
     @Test
@@ -183,7 +184,7 @@ class RunNavigatorTest {
     void anEditInThePastKeepsLaterEditsRedoableAndReportsTheFork() {
         seek(5);
         edit(new Command.SetPlatform(0.2, 0.2, 0.4));
-        assertEquals(List.of(2), forks);
+        assertEquals(List.of(new ForkedEdits(2, 0)), forks);
         stepTo(30);
         assertEquals(original, pole(), "the edit is no longer executed");
         runOnEdt(edits::redo);

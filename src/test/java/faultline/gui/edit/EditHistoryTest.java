@@ -185,8 +185,21 @@ class EditHistoryTest {
         assertEquals(List.of(), history.editsAhead());
         assertEquals(10, history.firstTick(only));
         assertTrue(moveTo(15));
-        assertEquals(0, history.fork(16), "only an undo is ahead");
+        assertEquals(new ForkedEdits(0, 1), history.fork(16));
         assertDoneAndUndone(only, null);
+    }
+
+    @Test
+    void anEditThatIsUndoneAndRedoneLaterIsDoneAnyway() {
+        CommandEdit only = execute(10, "box");
+        markUndone(20, only);
+        history.mark(only, true);
+        history.addChange(30, only, true, results(30, redoCommands(only)));
+        CommandEdit other = execute(40, "wall");
+        markUndone(50, other);
+        moveTo(15);
+        assertEquals(new ForkedEdits(1, 0), history.fork(16));
+        assertDoneAndUndone(only, other);
     }
 
     @Test
@@ -194,21 +207,21 @@ class EditHistoryTest {
         CommandEdit first = execute(10, "box");
         CommandEdit second = execute(20, "wall");
         moveTo(12);
-        assertEquals(1, history.fork(13));
+        assertEquals(new ForkedEdits(1, 0), history.fork(13));
         CommandEdit between = execute(13, "pole");
         assertDoneAndUndone(between, second);
         assertTrue(moveTo(12));
         assertDoneAndUndone(first, between);
         moveTo(100);
         assertDoneAndUndone(between, second);
-        assertEquals(0, history.fork(101));
+        assertEquals(new ForkedEdits(0, 0), history.fork(101));
     }
 
     @Test
     void aCommandAtTheTickOfALaterEditIsBeforeIt() {
         CommandEdit first = execute(10, "box");
         moveTo(9);
-        assertEquals(1, history.fork(10));
+        assertEquals(new ForkedEdits(1, 0), history.fork(10));
         assertDoneAndUndone(null, first);
     }
 
@@ -217,7 +230,7 @@ class EditHistoryTest {
         CommandEdit first = execute(10, "box");
         CommandEdit second = execute(20, "wall");
         moveTo(12);
-        assertEquals(1, history.fork(13));
+        assertEquals(new ForkedEdits(1, 0), history.fork(13));
         assertFalse(history.advanceTo(100));
         assertDoneAndUndone(first, second);
     }
@@ -227,7 +240,7 @@ class EditHistoryTest {
         execute(10, "box");
         CommandEdit second = execute(20, "wall");
         moveTo(12);
-        assertEquals(0, history.fork(21));
+        assertEquals(new ForkedEdits(0, 0), history.fork(21));
         assertDoneAndUndone(second, null);
     }
 
@@ -274,7 +287,7 @@ class EditHistoryTest {
         assertTrue(history.advanceTo(20));
         assertDoneAndUndone(moved, null);
         assertTrue(moveTo(19));
-        assertEquals(1, history.fork(20));
+        assertEquals(new ForkedEdits(1, 0), history.fork(20));
         CommandEdit between = execute(20, "pole");
         assertDoneAndUndone(between, moved);
         history.mark(between, false);
