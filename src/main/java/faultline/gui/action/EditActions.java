@@ -6,6 +6,7 @@ import static faultline.gui.action.Keystrokes.menuShortcut;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Glyph;
 import java.awt.event.KeyEvent;
+import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 
@@ -16,9 +17,18 @@ public final class EditActions {
     private final UiAction undo;
     private final UiAction redo;
 
-    public EditActions(UndoController undoController) {
+    /**
+     * Creates the actions.
+     *
+     * @param undoTyping takes back what is being typed in a field; returns whether there was something
+     */
+    public EditActions(UndoController undoController, BooleanSupplier undoTyping) {
         this.undoController = undoController;
-        this.undo = UiAction.of("undo", undoController::undo)
+        this.undo = UiAction.of("undo", () -> {
+                    if (!undoTyping.getAsBoolean()) {
+                        undoController.undo();
+                    }
+                })
                 .withAccelerator(menuShortcut(KeyEvent.VK_Z))
                 .withIcon(Glyph.UNDO);
         this.redo = UiAction.of("redo", undoController::redo)

@@ -346,14 +346,28 @@ public final class ControlPanel extends JPanel {
 
         /** Shows the present value in place of what is being typed. */
         void discardPendingEdit();
+
+        /** Returns whether the text is not that of the present value. */
+        boolean isEdited();
     }
 
     /** Commits what is being typed, as if the field lost the focus, and returns whether that changed a value. */
     public boolean commitPendingEdit() {
+        return focusedField().filter(PendingField::commitPendingEdit).isPresent();
+    }
+
+    /** Takes back what is being typed and has not been applied; returns whether there was something. */
+    public boolean undoTyping() {
+        Optional<PendingField> typed = focusedField().filter(PendingField::isEdited);
+        typed.ifPresent(PendingField::discardPendingEdit);
+        return typed.isPresent();
+    }
+
+    private Optional<PendingField> focusedField() {
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         Component field =
                 owner instanceof PendingField ? owner : SwingUtilities.getAncestorOfClass(PendingField.class, owner);
-        return field instanceof PendingField typed && isAncestorOf(field) && typed.commitPendingEdit();
+        return field instanceof PendingField typed && isAncestorOf(field) ? Optional.of(typed) : Optional.empty();
     }
 
     /** Highlights the row of a sensor and shows its details. */

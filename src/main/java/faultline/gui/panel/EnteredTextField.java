@@ -91,8 +91,8 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
         return new Dimension(usual.width * 2 / 3, usual.height);
     }
 
-    /** Returns whether the text is not that of the present value. */
-    protected boolean isEdited() {
+    @Override
+    public boolean isEdited() {
         return !getText().equals(valueText());
     }
 

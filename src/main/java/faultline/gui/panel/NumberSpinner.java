@@ -332,7 +332,7 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
         return textField().isFocusOwner() && isEdited();
     }
 
-    /** Returns whether the text is not that of the number, because it has not been applied. */
+    @Override
     public boolean isEdited() {
         return !textField().getText().equals(formatter.format(doubleValue()));
     }

@@ -77,7 +77,7 @@ public final class MainWindow extends JFrame {
     private final transient CommandSender commandSender = new CommandSender(runController::send);
     private final transient UndoController undoController = new UndoController(commandSender, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
-    private final transient EditActions editActions = new EditActions(undoController);
+    private final transient EditActions editActions = new EditActions(undoController, this::undoTyping);
     private final transient ActionRegistry actionRegistry = new ActionRegistry();
     private final transient Dialogs dialogs = new Dialogs(this);
     private final transient FileController fileController =
@@ -255,6 +255,10 @@ public final class MainWindow extends JFrame {
 
     private boolean commitPendingEdit() {
         return mainPanel.controlPanel().commitPendingEdit();
+    }
+
+    private boolean undoTyping() {
+        return mainPanel.controlPanel().undoTyping();
     }
 
     private void removeNote(String sentence) {

@@ -147,7 +147,7 @@ class MainPanelTest {
             canvas = new SimulationCanvas(sender);
             FileController files = new FileController(canvas, workspace, () -> false);
             files.addTo(actions, () -> {});
-            new EditActions(undo).addTo(actions);
+            new EditActions(undo, () -> false).addTo(actions);
             addSensorActions(workspace, new ScenarioEditor(run, undo), sender);
             new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {}, NO_NOTES)
                     .actions()
