@@ -251,10 +251,11 @@ final class CommandHandler {
     private CommandResult setPlatform(Command.SetPlatform command) {
         RobotSpec old = body.spec();
         if (command.length() > old.length() || command.width() > old.width()) {
-            Optional<String> obstruction =
-                    obstacles.findObstruction(new OrientedBox(body.pose(), command.length(), command.width()));
-            if (obstruction.isPresent()) {
-                return refused(command, Reason.PLATFORM_OVERLAPS, obstruction.get());
+            // A platform that shrank after a contact may get its size back.
+            Optional<String> overlapped =
+                    obstacles.findOverlapped(new OrientedBox(body.pose(), command.length(), command.width()));
+            if (overlapped.isPresent()) {
+                return refused(command, Reason.PLATFORM_OVERLAPS, overlapped.get());
             }
         }
         updateRobot(command.appliedTo(old));

@@ -205,14 +205,17 @@ final class ObstacleSet {
 
     /** Returns whether a body overlaps an obstacle by more than a bound of the rounding errors of a contact. */
     static boolean isOverlapping(OrientedBox body, ObstacleGeometry geometry) {
-        double rounding = 2 * Clearance.MIN_DISTANCE;
-        OrientedBox inner = new OrientedBox(body.frame(), body.halfLength() - rounding, body.halfWidth() - rounding);
-        return !isClear(inner, geometry);
+        return !isClear(withoutRounding(body), geometry);
     }
 
-    /** Returns the id of the first obstacle that a body touches or overlaps. */
-    Optional<String> findObstruction(OrientedBox body) {
-        return findObstruction(spec, obstacles(), body);
+    private static OrientedBox withoutRounding(OrientedBox body) {
+        double rounding = 2 * Clearance.MIN_DISTANCE;
+        return new OrientedBox(body.frame(), body.halfLength() - rounding, body.halfWidth() - rounding);
+    }
+
+    /** Returns the id of the first obstacle that a body overlaps by more than a bound of the rounding errors. */
+    Optional<String> findOverlapped(OrientedBox body) {
+        return findObstruction(spec, obstacles(), withoutRounding(body));
     }
 
     /** Returns the id of the first obstacle of a world that a body touches or overlaps. */

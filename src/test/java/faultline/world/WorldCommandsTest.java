@@ -385,6 +385,31 @@ class WorldCommandsTest {
     }
 
     @Test
+    void aPlatformGrowsUntilItTouches() {
+        // The desk's near side is 1.125 m ahead of the robot's centre.
+        assertEquals(
+                Optional.of("the robot has no room for that platform: it would overlap desk"),
+                refusal(new Command.SetPlatform(2.25 + 2e-8, 0.2, 0.3)));
+        assertEquals(SUCCESS, refusal(new Command.SetPlatform(2.25, 0.2, 0.3)));
+        world.move(2, 2);
+        assertEquals("desk", world.collision().orElseThrow().obstacle());
+        assertEquals(2, world.pose().x());
+    }
+
+    @Test
+    void aPlatformGetsItsSizeBackAfterACollision() {
+        for (double heading : new double[] {0, 0.3, 2, 4}) {
+            world = new World(
+                    new WorldSpec(6, 4, true, 1, List.of(DESK)), RobotSpec.DEFAULT, new Pose(2, 2, heading), 0.01, 1);
+            for (int i = 0; i < 2000 && world.collision().isEmpty(); i++) {
+                world.move(3, 3);
+            }
+            assertTrue(world.collision().isPresent());
+            assertInvertedExactly(new Command.SetPlatform(0.2, 0.15, 0.3));
+        }
+    }
+
+    @Test
     void aPlatformDoesNotGrowInOneDirectionWhileItShrinksInTheOther() {
         world.execute(new Command.MoveObstacle("desk", new Pose(2, 2.4, 0)));
         Optional<String> overlap = Optional.of("the robot has no room for that platform: it would overlap desk");
