@@ -37,6 +37,8 @@ final class MotionStep {
     private final FreeTravel freeTravel;
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final List<Contact> contacts = new ArrayList<>();
+    /** Whether the first contact has been polled, after which no other is wanted. */
+    private boolean collided;
 
     MotionStep(ObstacleSet obstacles, RobotBody body) {
         this.obstacles = obstacles;
@@ -49,13 +51,14 @@ final class MotionStep {
         freeTravel.invalidate();
     }
 
-    /** Returns the contact made since the last call. */
+    /** Returns the first contact of the run, once, after it was made. */
     Optional<Contact> pollContact() {
         if (contacts.isEmpty()) {
             return Optional.empty();
         }
         Contact first = contacts.get(0);
         contacts.clear();
+        collided = true;
         return Optional.of(first);
     }
 
@@ -83,7 +86,7 @@ final class MotionStep {
         body.advance(end);
         obstacles.moving().forEach(mover -> mover.follower().advance(end));
         body.stop();
-        contacts.add(contactAt(stop, before));
+        addContact(stop, before);
         for (MovingObstacle mover : obstacles.moving()) {
             mover.follower().advance(Math.min(dt - end, movingContactTime(mover, dt - end)));
         }
@@ -141,6 +144,13 @@ final class MotionStep {
                     stop, impact.firstContactTime(pose, part.translated(dx, dy), velocity, Math.min(stop, time)));
         }
         return stop;
+    }
+
+    /** Adds a contact if it is the first one: an obstacle that presses on the robot touches it in every tick. */
+    private void addContact(double time, Pose before) {
+        if (!collided) {
+            contacts.add(contactAt(time, before));
+        }
     }
 
     /** Returns what the body touches after moving from a pose: of several obstacles the first static one. */
@@ -224,7 +234,7 @@ final class MotionStep {
         obstacles.move(placed, target.withPosition(from.plus(displacement.times(stop))));
         body.stop();
         contacts.clear();
-        contacts.add(contactAt(0, body.pose()));
+        addContact(0, body.pose());
         return true;
     }
 

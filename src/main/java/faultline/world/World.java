@@ -96,9 +96,6 @@ public final class World {
     }
 
     private void recordCollision(MotionStep.Contact contact, long at, double time) {
-        if (!collisions.isEmpty()) {
-            return;
-        }
         contacts = contact.points();
         collisions.add(new Collision(
                 body.middleOf(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff(), motorFaults()));

@@ -44,6 +44,21 @@ class MovingObstaclesTest {
         assertAt(1, 0.5, positionAfter(world, 2));
     }
 
+    /** Finding what is touched looks at all sides of a floor plan nearby. */
+    @Test
+    void onlyTheFirstContactOfOneThatPressesOnTheRobotIsFound() {
+        ObstacleSet obstacles = new ObstacleSet(
+                new WorldSpec(6, 4, false, 3, List.of(visitor(3, 2, 0.5, true, new Vector2(1, 2), new Vector2(3, 2)))));
+        MotionStep step = new MotionStep(obstacles, new RobotBody(RobotSpec.DEFAULT, new Pose(2, 2, 0)));
+        int contacts = 0;
+        for (int i = 0; i < 1000; i++) {
+            step.move(TICK);
+            contacts += step.pollContact().isPresent() ? 1 : 0;
+        }
+        assertEquals(1, contacts);
+        assertEquals(2.225, obstacles.moving().get(0).follower().x(), 1e-6);
+    }
+
     @Test
     void aSpeedChangeKeepsTheNextWaypoint() {
         Obstacle visitor = visitor(0, 0, 0.5, false, new Vector2(1, 0), new Vector2(1, 1));
