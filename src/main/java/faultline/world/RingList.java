@@ -142,11 +142,23 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
     /** Returns whether a point is inside by the even-odd rule. */
     boolean contains(double x, double y) {
         boolean inside = false;
-        for (int a = 0; a < xs.length; a++) {
-            int b = next[a];
-            inside ^= EvenOddRule.crosses(x, y, xs[a], ys[a], xs[b], ys[b]);
+        for (int side = 0; side < xs.length; side++) {
+            inside ^= crosses(x, y, side);
         }
         return inside;
+    }
+
+    private boolean crosses(double x, double y, int side) {
+        int end = next[side];
+        return EvenOddRule.crosses(x, y, xs[side], ys[side], xs[end], ys[end]);
+    }
+
+    /**
+     * Returns what tells whether points of a square about a point, of half a side, are inside, as {@link #contains}
+     * does. It looks at the sides near the square only.
+     */
+    Neighbourhood around(Vector2 centre, double reach) {
+        return new Neighbourhood(this, centre, reach);
     }
 
     /** Returns the greatest distance of a point from the origin, metres. */
@@ -177,6 +189,51 @@ final class RingList extends AbstractList<List<Vector2>> implements RandomAccess
             }
         }
         return Arrays.copyOf(near, count);
+    }
+
+    /**
+     * The inside of a plan near a point; immutable.
+     *
+     * <p>On the way from the centre to another point, a side far from both changes the number of crossings of the ray
+     * only where an end of it passes the height of the point, to the right of the centre. Each end belongs to two
+     * sides, so these changes cancel out if the ends of the near sides are counted the same way. What remains of the
+     * far sides is their number of crossings of the ray from the centre.
+     */
+    static final class Neighbourhood {
+
+        /** Sides that are at least this far from the square are far, metres: more than rounding can hide. */
+        private static final double MARGIN = 1e-6;
+
+        private final RingList rings;
+        private final int[] near;
+        private final Vector2 centre;
+        /** Whether the ray from the centre crosses an odd number of far sides. */
+        private final boolean farCrossings;
+
+        Neighbourhood(RingList rings, Vector2 centre, double reach) {
+            this.rings = rings;
+            this.centre = centre;
+            near = rings.sidesNear(centre, reach + MARGIN);
+            boolean odd = rings.contains(centre.x(), centre.y());
+            for (int side : near) {
+                odd ^= rings.crosses(centre.x(), centre.y(), side);
+            }
+            farCrossings = odd;
+        }
+
+        boolean contains(double x, double y) {
+            boolean inside = farCrossings;
+            for (int side : near) {
+                inside ^= rings.crosses(x, y, side) ^ isPassed(side, y) ^ isPassed(rings.next[side], y);
+            }
+            return inside;
+        }
+
+        /** Returns whether a point to the right is at a height between that of the centre and another. */
+        private boolean isPassed(int point, double y) {
+            double height = rings.ys[point];
+            return rings.xs[point] > centre.x() && height > centre.y() != height > y;
+        }
     }
 
     @Override

@@ -16,7 +16,9 @@ import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The robot's sensors in action: true and reported readings, tick by tick; mutable, confined to the simulation thread.
@@ -48,6 +50,8 @@ final class SensorArray {
     private final List<MovingObstacle> movingNear = new ArrayList<>();
     /** The shapes that may come between the robot's centre and an apex beside the body in the region. */
     private final CandidateBuffer outlinesNear = new CandidateBuffer();
+    /** The insides of floor plans in the region, of those that were asked for. */
+    private final Map<ShapeOwner, RingList.Neighbourhood> plansNear = new HashMap<>();
     /** The indexes of the sensors that may see something in the region; the first {@link #awakeCount} are valid. */
     private final int[] awake;
 
@@ -250,12 +254,18 @@ final class SensorArray {
 
     private void collectOutlines() {
         outlinesNear.clear();
-        double reach = outsideRadius + maxTravel + MARGIN;
+        plansNear.clear();
+        double reach = outlineReach();
         for (int i = 0; i < candidates.size() && outsideRadius > 0; i++) {
             if (candidates.shape(i).distanceTo(regionX, regionY) <= reach) {
                 outlinesNear.add(candidates.shape(i), candidates.owner(i));
             }
         }
+    }
+
+    /** Returns the greatest distance of an apex beside the body from the middle of the region, metres. */
+    private double outlineReach() {
+        return outsideRadius + maxTravel + MARGIN;
     }
 
     private void collect(SensorCone cone, CandidateBuffer shapes) {
@@ -289,17 +299,32 @@ final class SensorArray {
 
     /**
      * Returns whether an apex is inside a solid obstacle. The robot's centre is outside all obstacles, so the outline
-     * of one that contains the apex comes between them. A floor plan takes long to test whether it contains a point.
+     * of one that contains the apex comes between them.
      */
     private boolean isInsideSolid(Vector2 apex, RobotBody body) {
         for (int i = 0; i < outlinesNear.size(); i++) {
             if (outlinesNear.owner(i) instanceof PlacedObstacle obstacle
                     && isBetween(outlinesNear.shape(i), apex, body)
-                    && obstacle.geometry().contains(apex)) {
+                    && contains(obstacle, apex)) {
                 return true;
             }
         }
         return movingNear.stream().anyMatch(mover -> mover.geometry().contains(apex));
+    }
+
+    /**
+     * Returns whether an obstacle contains an apex. All sides of a floor plan are looked at only once in the region.
+     */
+    private boolean contains(PlacedObstacle obstacle, Vector2 apex) {
+        if (!(obstacle.obstacle().shape() instanceof ObstacleShape.PlanShape plan)) {
+            return obstacle.geometry().contains(apex);
+        }
+        RigidMotion frame = obstacle.geometry().frame();
+        Vector2 local = frame.toLocal(apex);
+        return plansNear
+                .computeIfAbsent(obstacle, owner -> plan.points()
+                        .around(frame.toLocal(new Vector2(regionX, regionY)), outlineReach()))
+                .contains(local.x(), local.y());
     }
 
     /** Returns whether a shape may come between the robot's centre and an apex. */

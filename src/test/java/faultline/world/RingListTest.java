@@ -52,6 +52,30 @@ class RingListTest {
         }
     }
 
+    /** Half of the numbers are multiples of 0.5, so that points are on sides, on corners, and level with them. */
+    private static double coordinate(SplittableRandom random) {
+        return random.nextBoolean() ? random.nextInt(-5, 6) * 0.5 : random.nextDouble(-3, 3);
+    }
+
+    @Test
+    void nearAPointItIsInsideWhereTheWholeIs() {
+        SplittableRandom random = new SplittableRandom(73);
+        int inside = 0;
+        for (int trial = 0; trial < 5000; trial++) {
+            RingList rings = RingList.copyOf(randomRings(random));
+            Vector2 centre = new Vector2(coordinate(random), coordinate(random));
+            double reach = random.nextInt(4) == 0 ? 0.5 * random.nextInt(4) : random.nextDouble(2);
+            RingList.Neighbourhood near = rings.around(centre, reach);
+            for (int i = 0; i < 40; i++) {
+                double x = centre.x() + Math.max(-reach, Math.min(reach, coordinate(random)));
+                double y = centre.y() + Math.max(-reach, Math.min(reach, coordinate(random)));
+                assertEquals(rings.contains(x, y), near.contains(x, y), "trial " + trial + " at " + x + ", " + y);
+                inside += near.contains(x, y) ? 1 : 0;
+            }
+        }
+        assertEquals(100_000, inside, 80_000);
+    }
+
     @Test
     void itsSidesAreThoseOfItsRingsInTheirOrder() {
         SplittableRandom random = new SplittableRandom(72);
