@@ -28,7 +28,10 @@ public final class World {
     private final List<Collision> collisions = new ArrayList<>();
     private List<Vector2> contacts = List.of();
 
-    /** Thrown if a tick's contacts cannot be resolved, because the robot turns by very many radians in it. */
+    /**
+     * Thrown if a tick's contacts cannot be resolved: the robot turns by very many radians in it, or the tick or the
+     * coordinates are so large that rounding hides where the robot touches something.
+     */
     public static final class UnresolvedContactException extends RuntimeException {
 
         private static final long serialVersionUID = 1;
