@@ -211,8 +211,11 @@ public final class EvidenceGrid {
 
     /** Records that a source occupied a disc or saw it free. */
     void markDisc(int source, double x, double y, double radius, int moment) {
-        int last = cellOf(y + radius);
-        for (int row = cellOf(y - radius); row <= last; row++) {
+        int firstRow = cellOf(y - radius);
+        // The number of rows also ends the loop if the last one is the greatest integer, very far from the start.
+        int rows = cellOf(y + radius) - firstRow + 1;
+        for (int i = 0; i < rows; i++) {
+            int row = firstRow + i;
             double dy = (row + 0.5) * CELL - y;
             double half = Math.sqrt(Math.max(0, radius * radius - dy * dy));
             // Truncation rounds down because the sum is positive.
@@ -262,11 +265,14 @@ public final class EvidenceGrid {
         int line = source * size + (row & wrap);
         int base = line * size;
         lastFreeInRow[line] = moment;
-        for (int i = first; i <= last; i += 4) {
-            free[base + (i & wrap)] = moment;
-            free[base + (Math.min(i + 1, last) & wrap)] = moment;
-            free[base + (Math.min(i + 2, last) & wrap)] = moment;
-            free[base + (Math.min(i + 3, last) & wrap)] = moment;
+        // Very far from the start, columns reach the greatest integer, so the loop counts from the first one. A row has
+        // no more cells than the grid is wide.
+        int end = Math.min(last - first, size - 1);
+        for (int i = 0; i <= end; i += 4) {
+            free[base + (first + i & wrap)] = moment;
+            free[base + (first + Math.min(i + 1, end) & wrap)] = moment;
+            free[base + (first + Math.min(i + 2, end) & wrap)] = moment;
+            free[base + (first + Math.min(i + 3, end) & wrap)] = moment;
         }
     }
 }

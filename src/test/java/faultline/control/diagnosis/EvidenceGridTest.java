@@ -2,10 +2,14 @@ package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class EvidenceGridTest {
 
@@ -51,6 +55,21 @@ class EvidenceGridTest {
             grid.resize(256);
             assertSectorIsMarked(grid, 0.01, 0.02, 0, 1.5, radius);
         }
+    }
+
+    /** Beyond 26 843 km, columns exceed the greatest integer, and beyond 53 687 km rows do. */
+    @ParameterizedTest
+    @CsvSource({"26843545.5, 0", "-26843545.7, 0", "1e10, 0", "0, 53687091", "0, 1e10", "-1e10, -1e10"})
+    void marksVeryFarFromTheStartEnd(double x, double y) {
+        EvidenceGrid grid = new EvidenceGrid(1);
+        ConeTable table = new ConeTable(new MountedCone(0, 0, 0, 0.3, 1));
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+            for (EvidenceGrid.RowParity rows : EvidenceGrid.RowParity.values()) {
+                grid.markSector(0, x, y, 1, 0, table, 0.5, 5, rows);
+                grid.markSector(0, x, y, -1, 0, table, 0.5, 5, rows);
+            }
+            grid.markDisc(0, x, y, 0.2, 5);
+        });
     }
 
     @Test
