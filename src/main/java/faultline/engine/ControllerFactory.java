@@ -13,6 +13,7 @@ import faultline.control.RecordedController;
 import faultline.control.Telemetry;
 import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
+import faultline.world.Command;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
@@ -141,6 +142,24 @@ public final class ControllerFactory {
                 none -> List.of(ControllerState.of("NONE")),
                 drive -> List.of(ControllerState.of("DRIVE")),
                 ControllerFactory::followerStates));
+    }
+
+    /**
+     * {@return all states of the controllers that may drive in a run: of the first one and of those of the timeline,
+     * the initial state first; empty if the first one is not part of the program, since the timeline cannot change it}
+     *
+     * @param setup the setup of the run
+     */
+    public static List<ControllerState> statesInRun(SimulationSetup setup) {
+        List<ControllerState> first = states(setup.controller());
+        if (first.isEmpty()) {
+            return first;
+        }
+        Stream<ControllerState> later = setup.timeline().stream()
+                .map(SimulationSetup.TimedCommand::command)
+                .filter(Command.ConfigureController.class::isInstance)
+                .flatMap(command -> states(((Command.ConfigureController) command).controller()).stream());
+        return Stream.concat(first.stream(), later).distinct().toList();
     }
 
     private static List<ControllerState> followerStates(ControllerSpec.WallFollowing spec) {

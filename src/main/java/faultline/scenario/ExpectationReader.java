@@ -1,8 +1,6 @@
 package faultline.scenario;
 
-import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
-import faultline.engine.ControllerFactory;
 import faultline.engine.metrics.Expectation;
 import faultline.io.XmlText;
 import faultline.scenario.xml.Allowed;
@@ -20,14 +18,12 @@ import java.util.List;
 final class ExpectationReader {
 
     private final Problems problems;
-    /** Empty if the controller is not part of the program, which knows no states of it. */
+    /** Empty if the controllers are not known, or not part of the program, which knows no states of them. */
     private final List<String> knownStates;
 
-    ExpectationReader(Problems problems, ControllerSpec controller) {
+    ExpectationReader(Problems problems, List<ControllerState> knownStates) {
         this.problems = problems;
-        this.knownStates = ControllerFactory.states(controller).stream()
-                .map(ControllerState::name)
-                .toList();
+        this.knownStates = knownStates.stream().map(ControllerState::name).toList();
     }
 
     Expectation read(XmlElement node) {

@@ -251,6 +251,38 @@ class ScenarioReaderTest {
                 scenario.expectation().conditions());
     }
 
+    private static final String LATE_FOLLOWER =
+            """
+            <scenario xmlns="urn:faultline:scenario:1"><robot x="1" y="2"/><world width="6" height="4"/>
+            <controller type="none"/><timeline><controller at="2" type="wall-follower" diagnosis="off"/></timeline>
+            <expect states="NONE FOLLOW" finalState="%s"/></scenario>
+            """;
+
+    @Test
+    void statesOfControllersOfTheTimelineMayBeExpected() throws ScenarioException {
+        assertEquals(
+                List.of(
+                        new Expectation.VisitedState(ControllerState.of("NONE")),
+                        new Expectation.VisitedState(ControllerState.of("FOLLOW")),
+                        new Expectation.FinalState(ControllerState.of("ROUND"))),
+                SampleScenario.read(LATE_FOLLOWER.formatted("ROUND"))
+                        .expectation()
+                        .conditions());
+        List<String> problems = SampleScenario.problems(LATE_FOLLOWER.formatted("DRIVE"));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(
+                problems.get(0).endsWith("states: NONE, SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND"),
+                problems::toString);
+    }
+
+    @Test
+    void withoutARobotTheTimelineIsNotKnownAndNoStateIsRefused() {
+        List<String> problems =
+                SampleScenario.problems(LATE_FOLLOWER.formatted("ROUND").replace("<robot x=\"1\" y=\"2\"/>", ""));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("robot"), problems::toString);
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"states=\"\"", "states=\" \"", "finalState=\"\"", "finalState=\" \""})
     void anExpectedStateOfAnyControllerHasAName(String attribute) {

@@ -109,9 +109,9 @@ final class ScenarioDocument {
         return edited;
     }
 
-    /** Returns a scenario without expected states that its controller does not have. */
+    /** Returns a scenario without expected states that no controller of its run has. */
     private static Scenario withPossibleExpectation(Scenario scenario) {
-        List<ControllerState> states = ControllerFactory.states(scenario.setup().controller());
+        List<ControllerState> states = ControllerFactory.statesInRun(scenario.setup());
         return states.isEmpty()
                 ? scenario
                 : scenario.withExpectation(scenario.expectation().withStatesIn(states));

@@ -74,8 +74,7 @@ final class PropertiesForm extends JPanel {
         duration.setWorldValue(shown.duration());
         tick.setWorldValue(shown.dt());
         seed.setText(Long.toString(shown.seed()));
-        expectation.setExpectation(
-                shown.expectation(), ControllerFactory.states(scenario.setup().controller()));
+        expectation.setExpectation(shown.expectation(), ControllerFactory.statesInRun(scenario.setup()));
     }
 
     /** Returns the properties of the fields, in which {@link #findProblem} has found none. */

@@ -92,6 +92,19 @@ class ScenarioDocumentTest {
         JournalScenario.create(document.initial(), document.journal(2)).toBytes();
     }
 
+    @Test
+    void statesOfAControllerOfTheTimelineStayExpected() throws ScenarioException {
+        Scenario visitors = Scenario.load(Path.of("scenarios/three-visitors.xml"));
+        ControllerSpec follower = visitors.setup().controller();
+        Scenario late = visitors.withSetup(visitors.setup()
+                .withController(new ControllerSpec.Drive(1, 1))
+                .withTimeline(List.of(new SimulationSetup.TimedCommand(
+                        2, new Command.ConfigureController((ControllerSpec.BuiltIn) follower)))));
+        ScenarioDocument document = new ScenarioDocument(null, late, late);
+        document.commandsExecuted(List.of(executed(1, new Command.ConfigureController(new ControllerSpec.None()))));
+        assertEquals(visitors.expectation(), document.edited().expectation());
+    }
+
     private static CommandResult executed(long tick, Command command) {
         return new CommandResult.Executed(tick, command, List.of());
     }
