@@ -13,16 +13,20 @@ import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import faultline.world.WorldSpec;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 
 /**
  * Judges from ground truth whether a robot carries on after a fault: no contact, and within the time of two laps the
  * robot passes at least 0.80 of its wall within 0.15 m of the wanted path. The time of a lap is its length divided by
- * the robot's speed, plus 10 s for its corners. The clock starts at the last fault of the timeline, or at 0 without
- * one; if the robot has not met a wall by then, it starts when it does, unless the time of two laps of the longest wall
- * is up: then it does not carry on. A contact counts from the beginning of the run.
+ * the robot's speed at the start, plus 10 s for its corners. The clock starts at the last fault of the timeline, or at
+ * 0 without one, but not before the first wall follower; if the robot has not met a wall by then, it starts when it
+ * does, unless the time of two laps of the longest wall is up: then it does not carry on. A contact counts from the
+ * beginning of the run.
  */
 public final class CarryOnMetrics implements TickObserver {
 
@@ -56,6 +60,11 @@ public final class CarryOnMetrics implements TickObserver {
     private final WallCircuit circuit;
     private final double speed;
     private final double onset;
+    /**
+     * Whether the clock starts only in a state of the built-in wall follower, because it is not the first controller.
+     */
+    private final boolean needsFollowerState;
+
     private final int[] passes;
     private final double[] lastPass;
     private int path = -1;
@@ -77,7 +86,7 @@ public final class CarryOnMetrics implements TickObserver {
      * @param circuit the {@link #circuit} of its world
      */
     public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
-        this(circuit, setup.robot().speed(), faultTimes(setup).max().orElse(0));
+        this(circuit, setup.robot().speed(), onset(setup), isFollowerLate(setup));
     }
 
     /**
@@ -88,12 +97,24 @@ public final class CarryOnMetrics implements TickObserver {
      * @param onset the time, such as the onset of the last fault, seconds
      */
     CarryOnMetrics(WallCircuit circuit, double speed, double onset) {
+        this(circuit, speed, onset, false);
+    }
+
+    private CarryOnMetrics(WallCircuit circuit, double speed, double onset, boolean needsFollowerState) {
         this.circuit = circuit;
         this.speed = speed;
         this.onset = onset;
+        this.needsFollowerState = needsFollowerState;
         this.passes = new int[circuit.size()];
         this.lastPass = new double[circuit.size()];
         this.deadline = onset + allowedTime(circuit.maxLength());
+    }
+
+    /** Returns the time of the last fault or that of the first wall follower, if that is later, seconds. */
+    private static double onset(SimulationSetup setup) {
+        double follower =
+                lateFollower(setup).map(timed -> startTime(setup, timed)).orElse(0.0);
+        return Math.max(follower, faultTimes(setup).max().orElse(0));
     }
 
     private double allowedTime(double length) {
@@ -109,26 +130,55 @@ public final class CarryOnMetrics implements TickObserver {
      */
     public static WallCircuit circuit(SimulationSetup setup) {
         OptionalDouble distance = wantedDistance(setup);
-        if (distance.isEmpty()) {
-            return WallCircuit.empty();
-        }
-        List<WallReference.WallSample> places =
-                new WallReference(setup.world()).samplesAlongPath(distance.getAsDouble(), PLACE_SPACING);
+        return distance.isPresent() ? circuit(setup.world(), distance.getAsDouble()) : WallCircuit.empty();
+    }
+
+    /** Returns the {@link #circuit} of a world at a distance of the robot's centre from the walls, metres. */
+    static WallCircuit circuit(WorldSpec world, double distance) {
+        List<WallReference.WallSample> places = new WallReference(world).samplesAlongPath(distance, PLACE_SPACING);
         return new WallCircuit(places, PLACE_SPACING, JOIN_DISTANCE, PASSING_DISTANCE);
     }
 
     /**
-     * {@return the distance that a setup's controller keeps between the robot's centre and the wall, metres; empty if
-     * it does not follow walls} A controller that is not part of the program keeps its distance from the side of the
-     * platform.
+     * {@return the distance that a setup's first controller that follows walls keeps between the robot's centre and the
+     * wall, metres; empty if none follows walls} A controller that is not part of the program keeps its distance from
+     * the side of the platform.
      *
      * @param setup the setup
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
-        return wantedDistance(setup.controller(), setup.robot());
+        ControllerSpec controller = lateFollower(setup)
+                .<ControllerSpec>map(timed -> ((Command.ConfigureController) timed.command()).controller())
+                .orElse(setup.controller());
+        return wantedDistance(controller, setup.robot());
     }
 
-    /** Returns {@link #wantedDistance} of a controller in a robot. */
+    /** Returns the first command by which the timeline starts a wall follower; empty if the run begins with one. */
+    private static Optional<SimulationSetup.TimedCommand> lateFollower(SimulationSetup setup) {
+        return setup.timeline().stream()
+                .filter(timed -> isFollowerLate(setup)
+                        && timed.command() instanceof Command.ConfigureController change
+                        && change.controller() instanceof ControllerSpec.WallFollowing)
+                .min(Comparator.comparingDouble(SimulationSetup.TimedCommand::time));
+    }
+
+    /** Returns whether a command must start a wall follower if there is to be one. */
+    private static boolean isFollowerLate(SimulationSetup setup) {
+        return setup.controller() instanceof ControllerSpec.BuiltIn builtIn
+                && !(builtIn instanceof ControllerSpec.WallFollowing);
+    }
+
+    /** Returns whether the robot has met a wall if its controller is in a state. */
+    static boolean isAtWall(SimulationSetup setup, ControllerState state) {
+        return isAtWall(state, isFollowerLate(setup));
+    }
+
+    private static boolean isAtWall(ControllerState state, boolean needsFollowerState) {
+        return state != FollowerState.SEARCH
+                && (!needsFollowerState || WallFollowingMetrics.FOLLOWER_STATES.contains(state));
+    }
+
+    /** Returns the distance that a controller keeps in a robot, metres; empty if it does not follow walls. */
     static OptionalDouble wantedDistance(ControllerSpec controller, RobotSpec robot) {
         if (controller instanceof ControllerSpec.WallFollowing follower) {
             return OptionalDouble.of(WallFollower.wantedCentreDistance(follower, robot));
@@ -170,7 +220,7 @@ public final class CarryOnMetrics implements TickObserver {
             if (centre.distanceTo(last) >= MIN_STEP) {
                 new Segment(last, centre).forEachPoint(MAX_STEP, this::visit);
             }
-        } else if (state != FollowerState.SEARCH && time <= deadline) {
+        } else if (isAtWall(state, needsFollowerState) && time <= deadline) {
             startClock(centre);
         }
     }

@@ -1,6 +1,6 @@
 package faultline.engine.metrics;
 
-import faultline.control.FollowerState;
+import faultline.control.ControllerState;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
@@ -35,8 +35,9 @@ public final class RunMeter implements TickObserver {
     public void observe(Simulation simulation) {
         wall.observe(simulation);
         atEnd = simulation.ticks() == setup.ticks();
-        if (laps == null && simulation.telemetry().state() != FollowerState.SEARCH && !wall.isLarge()) {
-            laps = new CarryOnMetrics(circuit(), setup.robot().speed(), 0);
+        ControllerState state = simulation.telemetry().state();
+        if (laps == null && wall.hasBegun() && CarryOnMetrics.isAtWall(setup, state) && !wall.isLarge()) {
+            laps = new CarryOnMetrics(circuit(), setup.robot().speed(), wall.startTime());
         }
         if (laps != null) {
             laps.observe(simulation);
@@ -46,7 +47,7 @@ public final class RunMeter implements TickObserver {
     /** Returns the path that the robot follows; if it is too long, no laps are measured. */
     private WallCircuit circuit() {
         try {
-            return CarryOnMetrics.circuit(setup);
+            return CarryOnMetrics.circuit(setup.world(), wall.startDistance());
         } catch (WallReference.PathTooLongException e) {
             return WallCircuit.empty();
         }

@@ -18,8 +18,9 @@ import java.util.OptionalDouble;
 import java.util.function.BiFunction;
 
 /**
- * Measures a wall follower from ground truth: the followed share of the wall, and the error of the distance. Other
- * controllers have no measures.
+ * Measures a wall follower from ground truth: the followed share of the wall, and the error of the distance. If the
+ * first controller is none, the measures begin with the first wall follower that a command starts. Other controllers
+ * have no measures.
  */
 final class WallFollowingMetrics implements TickObserver {
 
@@ -33,10 +34,8 @@ final class WallFollowingMetrics implements TickObserver {
     private static final double MAX_LIVE_LENGTH = 2000;
 
     /** A list, because a set would call {@code equals} and {@code hashCode} of a record, whose first calls are slow. */
-    private static final List<ControllerState> FOLLOWER_STATES =
-            ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT);
+    static final List<ControllerState> FOLLOWER_STATES = ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT);
 
-    private final boolean isWallFollower;
     /** Whether states that the built-in follower does not have count as following. */
     private final boolean hasOwnStates;
 
@@ -46,11 +45,15 @@ final class WallFollowingMetrics implements TickObserver {
     private RobotSpec robot;
     /** The wanted distance of the robot's centre from the wall, metres. */
     private double distance;
-    /** The wanted distance at the start, by which the places are found that the robot must pass, metres. */
-    private final double startDistance;
+    /** The first wanted distance, by which the places are found that the robot must pass, metres. */
+    private double startDistance;
+    /** When the first wall follower began, seconds. */
+    private double startTime;
 
     private final WallReference walls;
-    private final Coverage coverage;
+    private final BiFunction<WallReference, Double, Coverage> newCoverage;
+    /** Null as long as there was no wall follower. */
+    private Coverage coverage;
     /** The robot's centre in the last tick. */
     private Vector2 before;
     /** Null until it is needed, because finding the walls takes a long time in large worlds. */
@@ -66,35 +69,37 @@ final class WallFollowingMetrics implements TickObserver {
 
     /** Creates metrics of one run with a coverage for its walls and the wanted distance. */
     WallFollowingMetrics(SimulationSetup setup, BiFunction<WallReference, Double, Coverage> newCoverage) {
-        OptionalDouble wanted = CarryOnMetrics.wantedDistance(setup);
-        isWallFollower = wanted.isPresent();
         controller = setup.controller();
         robot = setup.robot();
-        hasOwnStates = !(controller instanceof ControllerSpec.WallFollowing);
+        hasOwnStates = !(controller instanceof ControllerSpec.BuiltIn);
         before = setup.start().position();
         walls = new WallReference(setup.world());
-        startDistance = wanted.orElse(0);
-        distance = startDistance;
-        coverage = newCoverage.apply(walls, startDistance);
+        this.newCoverage = newCoverage;
+        CarryOnMetrics.wantedDistance(controller, robot).ifPresent(wanted -> setDistance(wanted, 0));
     }
 
     @Override
     @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     public void observe(Simulation simulation) {
-        if (!isWallFollower || simulation.collision().isPresent()) {
+        if (simulation.collision().isPresent()) {
             return;
         }
         if (simulation.controllerSpec() != controller || simulation.robot() != robot) {
             controller = simulation.controllerSpec();
             robot = simulation.robot();
-            setDistance(CarryOnMetrics.wantedDistance(controller, robot).orElse(distance));
+            CarryOnMetrics.wantedDistance(controller, robot)
+                    .ifPresent(wanted -> setDistance(wanted, simulation.time()));
+        }
+        if (!hasBegun()) {
+            return;
         }
         walls.share(simulation);
         Vector2 centre = simulation.pose().position();
         ControllerState state = simulation.telemetry().state();
         boolean follows = state == FollowerState.FOLLOW || hasOwnStates && !FOLLOWER_STATES.contains(state);
         if (follows || state == FollowerState.ROUND) {
-            new Segment(before, centre).forEachPoint(Coverage.MAX_STEP, this::visit);
+            new Segment(before, centre)
+                    .forEachPoint(Coverage.MAX_STEP, point -> coverage.visit(atStartDistance(point)));
         }
         before = centre;
         if (follows) {
@@ -102,12 +107,13 @@ final class WallFollowingMetrics implements TickObserver {
         }
     }
 
-    private void visit(Vector2 centre) {
-        coverage.visit(distance == startDistance ? centre : atStartDistance(centre));
-    }
-
-    private void setDistance(double wanted) {
-        if (wanted != distance) {
+    private void setDistance(double wanted, double now) {
+        if (!hasBegun()) {
+            startTime = now;
+            startDistance = wanted;
+            distance = wanted;
+            coverage = newCoverage.apply(walls, wanted);
+        } else if (wanted != distance) {
             distance = wanted;
             nearestWall = null;
         }
@@ -121,8 +127,29 @@ final class WallFollowingMetrics implements TickObserver {
         return nearestWall.of(centre, STRAIGHT_MARGIN);
     }
 
-    /** Moves a point away from its nearest wall or towards it, by the change of the wanted distance since the start. */
-    private Vector2 atStartDistance(Vector2 centre) {
+    /** Returns whether there is or was a wall follower. */
+    boolean hasBegun() {
+        return coverage != null;
+    }
+
+    /** Returns when the first wall follower began, seconds; 0 as long as there was none. */
+    double startTime() {
+        return startTime;
+    }
+
+    /** Returns the first wanted distance of the robot's centre from the wall, metres; 0 as long as there was none. */
+    double startDistance() {
+        return startDistance;
+    }
+
+    /**
+     * Returns the point at which the robot would be at the first wanted distance: moved away from its nearest wall or
+     * towards it, by the change of the wanted distance since then.
+     */
+    Vector2 atStartDistance(Vector2 centre) {
+        if (distance == startDistance) {
+            return centre;
+        }
         NearestWall.Wall nearest = nearestWall(centre);
         if (nearest.distance() == 0 || Double.isInfinite(nearest.distance())) {
             return centre;
@@ -150,17 +177,17 @@ final class WallFollowingMetrics implements TickObserver {
 
     /** Returns {@link #coverage} during the run; empty also if the world {@link #isLarge}. */
     OptionalDouble liveCoverage() {
-        return coverage.isEmpty() || isLarge() ? OptionalDouble.empty() : coverage();
+        return !hasBegun() || coverage.isEmpty() || isLarge() ? OptionalDouble.empty() : coverage();
     }
 
     /** Returns the followed share of the wall, in [0, 1]; empty if no wall was followed, or its path is too long. */
     OptionalDouble coverage() {
-        return isWallFollower ? coverage.share() : OptionalDouble.empty();
+        return hasBegun() ? coverage.share() : OptionalDouble.empty();
     }
 
     /** Returns whether the coverage, when it was last asked for, was not known because of too many places. */
     boolean isPathTooLong() {
-        return coverage.isPathTooLong();
+        return hasBegun() && coverage.isPathTooLong();
     }
 
     /**

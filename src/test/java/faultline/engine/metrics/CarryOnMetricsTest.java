@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.engine.SimulationSetup;
 import faultline.engine.walls.WallCircuit;
@@ -204,6 +205,26 @@ class CarryOnMetricsTest {
         assertEquals(
                 OptionalDouble.empty(),
                 CarryOnMetrics.wantedDistance(setup.withController(new ControllerSpec.Drive(1, 1))));
+    }
+
+    @Test
+    void theClockDoesNotStartBeforeTheWallFollowerThatTheTimelineStarts() {
+        ControllerSpec.WallFollowing later = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.3);
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1, 0))
+                .withController(new ControllerSpec.Drive(1, 1))
+                .withTimeline(List.of(
+                        new SimulationSetup.TimedCommand(
+                                7, new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT)),
+                        new SimulationSetup.TimedCommand(5, new Command.ConfigureController(later)),
+                        new SimulationSetup.TimedCommand(2, new Command.InjectFault("left", new Fault.Dead()))));
+        assertEquals(CarryOnMetrics.wantedDistance(later, setup.robot()), CarryOnMetrics.wantedDistance(setup));
+        CarryOnMetrics late = new CarryOnMetrics(setup, circuit());
+        late.update(4.99, Vector2.ZERO, FollowerState.FOLLOW, false);
+        late.update(5, Vector2.ZERO, ControllerState.of("DRIVE"), false);
+        late.update(6, Vector2.ZERO, FollowerState.SEARCH, false);
+        assertEquals(OptionalDouble.empty(), late.clockStart());
+        late.update(7, Vector2.ZERO, FollowerState.TURN, false);
+        assertEquals(OptionalDouble.of(7), late.clockStart());
     }
 
     @Test

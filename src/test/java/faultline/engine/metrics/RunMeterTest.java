@@ -11,6 +11,7 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
@@ -87,6 +88,28 @@ class RunMeterTest {
         HeadlessRun.run(SETUP, ControllerMode.DIRECT, List.of(meter));
         double laps = meter.measures().laps();
         assertTrue(laps > 2 && laps < 4, "laps: " + laps);
+    }
+
+    private static RunMeasures measures(SimulationSetup setup, SimulationSetup.TimedCommand... timeline) {
+        RunMeter meter = new RunMeter(setup);
+        HeadlessRun.run(setup.withTimeline(List.of(timeline)), ControllerMode.DIRECT, List.of(meter));
+        return meter.measures();
+    }
+
+    private static SimulationSetup.TimedCommand follow(double time, double distance) {
+        return new SimulationSetup.TimedCommand(
+                time, new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT.withDistance(distance)));
+    }
+
+    /** As if a command from the window had started it: the meter knows the setup without the timeline. */
+    @Test
+    void aWallFollowerThatStartsLateIsMeasuredFromThenOn() {
+        SimulationSetup still = SETUP.withController(new ControllerSpec.None()).withDuration(200);
+        RunMeasures late = measures(still, follow(80, ControllerSpec.WallFollowing.DEFAULT.distance()));
+        RunMeasures whole = measures(SETUP);
+        assertEquals(whole.coverage(), late.coverage(), 0.01);
+        assertEquals(whole.laps(), late.laps(), 0.1);
+        assertEquals(whole.followRms(), late.followRms(), 0.01);
     }
 
     @Test

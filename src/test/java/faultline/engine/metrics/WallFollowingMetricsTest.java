@@ -181,6 +181,21 @@ class WallFollowingMetricsTest {
         assertTrue(result.coverage().isEmpty() && result.distanceRms().isEmpty());
     }
 
+    /** The same as of a run that begins with the wall follower, apart from the time before it. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aWallFollowerThatTheTimelineStartsIsMeasured(boolean drives) {
+        ControllerSpec first = drives ? new ControllerSpec.Drive(0.2, 0.2) : new ControllerSpec.None();
+        RunResult result = run(
+                first,
+                90,
+                new SimulationSetup.TimedCommand(
+                        5, new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT)));
+        assertEquals(1, result.coverage().orElse(-1));
+        assertTrue(result.distanceRms().orElse(1) < 0.001, () -> "error " + result.distanceRms());
+        assertTrue(result.followRms().orElse(1) < 0.05, () -> "error " + result.followRms());
+    }
+
     @Test
     void ofControllersThatFollowNoWallNothingIsSaid() {
         RunResult result = run(new ControllerSpec.Drive(1, 1), 10);
