@@ -6,6 +6,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.walls.WallCircuit;
 import faultline.engine.walls.WallReference;
+import faultline.geometry.Vector2;
 import java.util.OptionalDouble;
 
 /**
@@ -40,7 +41,9 @@ public final class RunMeter implements TickObserver {
             laps = new CarryOnMetrics(circuit(), setup.robot().speed(), wall.startTime());
         }
         if (laps != null) {
-            laps.observe(simulation);
+            // The circuit is that of the first wanted distance.
+            Vector2 centre = wall.atStartDistance(simulation.pose().position());
+            laps.update(simulation.time(), centre, state, simulation.collision().isPresent());
         }
     }
 

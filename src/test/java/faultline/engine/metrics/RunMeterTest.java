@@ -112,6 +112,16 @@ class RunMeterTest {
         assertEquals(whole.followRms(), late.followRms(), 0.01);
     }
 
+    /** Without the cupboard, because a robot so far from the wall cannot pass all places beside it. */
+    @Test
+    void lapsFollowAChangedDistanceAsTheCoverageDoes() {
+        SimulationSetup room =
+                SETUP.withWorld(new WorldSpec(5, 4, true, 3, List.of())).withDuration(150);
+        RunMeasures changed = measures(room, follow(1, 0.6));
+        assertTrue(changed.coverage() > 0.8, "coverage: " + changed.coverage());
+        assertTrue(changed.laps() > 1.5, "laps: " + changed.laps());
+    }
+
     @Test
     void aRobotThatFollowsNoWallHasNoMeasures() {
         SimulationSetup still =
