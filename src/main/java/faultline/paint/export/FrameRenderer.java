@@ -1,14 +1,18 @@
 package faultline.paint.export;
 
 import faultline.engine.Frame;
+import faultline.engine.RobotPath;
+import faultline.geometry.RigidMotion;
 import faultline.geometry.Sector;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.Palette;
+import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
+import java.awt.Shape;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -30,17 +34,28 @@ public final class FrameRenderer {
         return (int) (width * Math.max(MIN_ASPECT, Math.min(MAX_ASPECT, aspect)));
     }
 
-    /** Renders a whole world with the default layers as a new opaque picture; width and height in pixels, positive. */
+    /**
+     * Renders a whole world and the robot's path with the default layers as a new opaque picture; width and height in
+     * pixels, positive.
+     */
     public static BufferedImage render(Frame frame, Palette palette, int width, int height) {
         return request(frame, palette, width, height).toImage(1);
     }
 
-    /** Returns the description of the picture of a whole world with the default layers; sizes in pixels, positive. */
+    /**
+     * Returns the description of the picture of a whole world and the robot's path with the default layers; sizes in
+     * pixels, positive.
+     */
     public static RenderRequest request(Frame frame, Palette palette, int width, int height) {
-        return new RenderRequest(frame, fitCamera(frame.snapshot(), width, height), palette, Layer.defaults());
+        Rectangle2D bounds = bounds(frame.snapshot());
+        RobotPath path = frame.path();
+        for (int i = 0; i < path.size(); i++) {
+            bounds.add(path.x(i), path.y(i));
+        }
+        return new RenderRequest(frame, Camera.fit(bounds, MARGIN, width, height), palette, Layer.defaults());
     }
 
-    /** Returns the camera that shows a whole world with a margin; width and height in pixels, positive. */
+    /** Returns the camera that shows a whole world and the robot with a margin; sizes in pixels, positive. */
     public static Camera fitCamera(Snapshot world, int width, int height) {
         return Camera.fit(bounds(world), MARGIN, width, height);
     }
@@ -73,7 +88,7 @@ public final class FrameRenderer {
                 .getBounds2D();
     }
 
-    /** Returns the bounds of the world and of everything outside of it. */
+    /** Returns the bounds of the world and of everything outside of it, the robot included. */
     private static Rectangle2D bounds(Snapshot world) {
         Rectangle2D bounds = new Rectangle2D.Double(0, 0, world.width(), world.height());
         for (Obstacle obstacle : world.obstacles()) {
@@ -82,7 +97,15 @@ public final class FrameRenderer {
                         bounds.createUnion(ObstacleOutlines.worldShape(obstacle).getBounds2D());
             }
         }
-        return bounds;
+        return world.enclosed() ? bounds : bounds.createUnion(robotBounds(world));
+    }
+
+    private static Rectangle2D robotBounds(Snapshot world) {
+        RobotSpec robot = world.robot();
+        Shape platform = new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width());
+        return RigidMotion.poseTransform(world.pose())
+                .createTransformedShape(platform)
+                .getBounds2D();
     }
 
     /** Returns whether a circle around an obstacle is within bounds, which is known sooner than its own bounds. */

@@ -3,19 +3,26 @@ package faultline.paint.export;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
+import faultline.engine.Frame;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
+import faultline.paint.surface.Palette;
+import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
+import faultline.world.WorldSpec;
 import java.io.IOException;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** The cameras of pictures of whole worlds. */
@@ -51,6 +58,41 @@ class FrameRendererTest {
         assertTrue(same > 5, "only " + same);
     }
 
+    /** It leaves a small open world, and then comes back into it. */
+    @Test
+    void aRobotOutsideOfAnOpenWorldAndItsPathAreInThePicture() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(1, 1, false, 3, List.of()), new Pose(0.5, 0.5, 0))
+                .withController(new ControllerSpec.Drive(3, 3));
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            ticks(simulation, 1000);
+            assertTrue(simulation.pose().x() > 2, () -> "x " + simulation.pose());
+            Vector2 front = simulation.pose().toParent(new Vector2(RobotSpec.DEFAULT.length() / 2, 0));
+            Frame outside = simulation.frame();
+            assertTrue(shows(FrameRenderer.fitCamera(outside.snapshot(), WIDTH, HEIGHT), front));
+            assertTrue(shows(camera(outside), front));
+            simulation.execute(new Command.ConfigureController(new ControllerSpec.Drive(-3, -3)));
+            ticks(simulation, 1000);
+            assertTrue(simulation.pose().x() < 1, () -> "x " + simulation.pose());
+            assertTrue(shows(camera(simulation.frame()), front.minus(new Vector2(0.2, 0))));
+            assertFalse(shows(FrameRenderer.fitCamera(simulation.frame().snapshot(), WIDTH, HEIGHT), front));
+        }
+    }
+
+    private static Camera camera(Frame frame) {
+        return FrameRenderer.request(frame, Palette.LIGHT, WIDTH, HEIGHT).camera();
+    }
+
+    private static void ticks(Simulation simulation, int count) {
+        for (int i = 0; i < count; i++) {
+            simulation.tick();
+        }
+    }
+
+    private static boolean shows(Camera camera, Vector2 point) {
+        Vector2 pixel = camera.toScreen(point);
+        return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= WIDTH && pixel.y() <= HEIGHT;
+    }
+
     private static Snapshot snapshot(SimulationSetup setup) {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             return simulation.frame().snapshot();
@@ -68,8 +110,7 @@ class FrameRendererTest {
             double bearing = cone.axis().angle() + share * half;
             Vector2 end =
                     cone.apex().plus(new Vector2(cone.range() * Math.cos(bearing), cone.range() * Math.sin(bearing)));
-            Vector2 pixel = camera.toScreen(end);
-            if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() > WIDTH || pixel.y() > HEIGHT) {
+            if (!shows(camera, end)) {
                 return false;
             }
         }
