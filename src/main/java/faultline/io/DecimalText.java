@@ -185,6 +185,20 @@ public final class DecimalText {
     }
 
     /**
+     * {@return the text of a number that a limit refuses, rounded to three digits, or exact if it would then seem to be
+     * within the limit}
+     *
+     * @param value the number
+     * @param limit the limit
+     */
+    public static String formatRefused(double value, double limit) {
+        String rounded = formatRounded(value);
+        return Double.compare(Double.parseDouble(rounded), limit) == Double.compare(value, limit)
+                ? rounded
+                : format(value);
+    }
+
+    /**
      * {@return the text of a number with a fixed number of decimals; a negative number that is rounded to zero has no
      * sign}
      *

@@ -89,7 +89,7 @@ final class ObstacleReader {
             problems.add(
                     node,
                     ProblemKind.LOOP_TIME.with(
-                            DecimalText.formatRounded(motion.loopLength() / motion.speed()),
+                            DecimalText.formatRefused(motion.loopLength() / motion.speed(), WaypointPath.MIN_LOOP_TIME),
                             DecimalText.format(WaypointPath.MIN_LOOP_TIME)));
         }
     }

@@ -75,13 +75,14 @@ final class RobotReader {
             problems.add(
                     node.firstChild("motor").orElse(node),
                     ProblemKind.WHEEL_SPEED.with(
-                            DecimalText.formatRounded(motor.maxSpeed()),
+                            DecimalText.formatRefused(motor.maxSpeed(), ScenarioLimits.MAX_WHEEL_SPEED),
                             DecimalText.format(ScenarioLimits.MAX_WHEEL_SPEED)));
         } else if (spin > ScenarioLimits.MAX_SPIN_RATE) {
             problems.add(
                     node,
                     ProblemKind.SPIN_RATE.with(
-                            DecimalText.formatRounded(spin), DecimalText.format(ScenarioLimits.MAX_SPIN_RATE)));
+                            DecimalText.formatRefused(spin, ScenarioLimits.MAX_SPIN_RATE),
+                            DecimalText.format(ScenarioLimits.MAX_SPIN_RATE)));
         }
     }
 
