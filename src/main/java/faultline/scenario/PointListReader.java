@@ -71,7 +71,7 @@ final class PointListReader {
         return true;
     }
 
-    /** Scans the next ring, and returns false, with a problem, if it is invalid or has too few points. */
+    /** Scans the next ring, and returns false, with a problem, if it is invalid or has too few or too many points. */
     private boolean isRingValid(RingScanner scanner, int least, int left, Message allowed) {
         int count = scanner.scanRing(left);
         if (!scanner.isRingRead() && count < left) {
@@ -80,6 +80,7 @@ final class PointListReader {
         }
         if (!scanner.isRingRead()) {
             problems.add(node, ProblemKind.TOO_MANY_POINTS.with(NAME, node.name(), ScenarioLimits.MAX_PARTS));
+            return false;
         }
         if (count < least) {
             fields.report(NAME, XmlText.strip(scanner.ring()), allowed);

@@ -16,7 +16,7 @@ final class PointsReference {
 
     /** The coordinates x, y, x, y and so on of each ring. */
     private final List<List<Double>> rings = new ArrayList<>();
-    /** The texts that are reported as invalid, and "too many". */
+    /** The text that is reported as invalid, or "too many". */
     private final List<String> problems = new ArrayList<>();
 
     private PointsReference() {}
@@ -57,7 +57,7 @@ final class PointsReference {
             }
             if (coordinates.size() == 2 * most) {
                 problems.add("too many");
-                break;
+                return false;
             }
             int comma = pair.indexOf(',');
             Optional<Double> x = coordinate(pair.substring(0, Math.max(0, comma)));
