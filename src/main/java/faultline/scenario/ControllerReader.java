@@ -184,11 +184,11 @@ final class ControllerReader {
     private static long readDecisions(
             XmlElement node, long earlierEnd, List<RecordedDecision> decisions, Problems problems) {
         AttributeReader fields = new AttributeReader(node, problems);
-        long tick = fields.integer("from", earlierEnd, DecisionText.MAX_TICKS, 0);
-        if (tick < earlierEnd) {
+        if (earlierEnd > 0) {
             Message later = Allowed.CLOSED.with(earlierEnd, DecisionText.MAX_TICKS);
-            fields.report("from", String.valueOf(tick), Allowed.WHOLE_NUMBER.with(later));
+            fields.requiredText("from", Allowed.WHOLE_NUMBER.with(later));
         }
+        long tick = fields.integer("from", earlierEnd, DecisionText.MAX_TICKS, earlierEnd);
         String state = fields.text("state").orElse("");
         String why = fields.text("why").orElse("");
         fields.reportUnknownAndMissing();

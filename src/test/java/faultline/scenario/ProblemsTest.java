@@ -195,7 +195,7 @@ class ProblemsTest {
             textBlock =
                     """
             <decisions>1,1*10</decisions><decisions from="9">2,2</decisions>   | from of <decisions> is "9"; expected a whole number from 10 to 9007199254740992
-            <decisions from="3">1,1*10 2,2</decisions><decisions>2,2</decisions> | from of <decisions> is "0"; expected a whole number from 14 to 9007199254740992
+            <decisions from="3">1,1*10 2,2</decisions><decisions>2,2</decisions> | <decisions> lacks the attribute "from"; expected a whole number from 14 to 9007199254740992
             <decisions from="3">1,1</decisions><decisions from="-1"/>          | from of <decisions> is "-1"; expected a whole number from 4 to 9007199254740992
             <decisions>1,1*10</decisions><decisions from="10">2,2</decisions><decisions from="20"/> | none
             <decisions from="9223372036854775807">1,1</decisions>              | from of <decisions> is "9223372036854775807"; expected a whole number from 0 to 9007199254740992
