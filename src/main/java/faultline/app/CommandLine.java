@@ -26,6 +26,12 @@ final class CommandLine {
     /** The option that shows all commands or, after a command, that one. */
     private static final String HELP = "--help";
 
+    /** Short for {@link #HELP}. */
+    private static final String SHORT_HELP = "-h";
+
+    /** The first arguments that show help. */
+    private static final List<String> HELP_WORDS = List.of(HELP, SHORT_HELP, "help");
+
     private static final List<String> COMMANDS = List.of(
             "run",
             "compare",
@@ -170,11 +176,11 @@ final class CommandLine {
             return new WindowCommand(output).run();
         }
         String first = args.get(0);
-        if (first.equals(HELP)) {
+        if (HELP_WORDS.contains(first)) {
             return println(help(args.subList(1, args.size())));
         }
         if (COMMANDS.contains(first)) {
-            return args.contains(HELP)
+            return args.contains(HELP) || args.contains(SHORT_HELP)
                     ? println(HelpText.help(first))
                     : runGuarded(first, args.subList(1, args.size()));
         }

@@ -83,8 +83,8 @@ final class HelpText {
             faultline --startup-time [FILE]
                                            open the window, print how long that took, and close it
 
-            faultline COMMAND --help       show only the help of a command
-            faultline --help | --version
+            faultline help [COMMAND]       show this help, or only that of a command; as --help, -h or COMMAND --help
+            faultline --version            show the version
 
             Exit codes: 0 done and every expectation held, 1 an expectation failed, 2 bad usage or a bad file, 3 the run broke.""";
 

@@ -496,6 +496,8 @@ class CommandLineTest {
         assertEquals(0, help.code);
         assertTrue(help.out.startsWith("faultline " + name + " "), help.out);
         assertEquals(help, command("--help", name));
+        assertEquals(help, command("help", name));
+        assertEquals(help, command(name, "-h"));
         List<String> others = help.out
                 .lines()
                 .skip(1)
@@ -509,6 +511,8 @@ class CommandLineTest {
     void helpNamesEveryCommandAndOption() {
         CommandResult help = command("--help");
         assertEquals(0, help.code);
+        assertEquals(help, command("help"));
+        assertEquals(help, command("-h"));
         Stream.of(
                         "run FILE",
                         "--until",
