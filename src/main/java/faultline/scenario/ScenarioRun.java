@@ -132,7 +132,7 @@ public final class ScenarioRun {
 
     private LoggedTick tickAt(double seconds) {
         long tick = scenario.setup().tickAt(seconds);
-        if (Double.isNaN(seconds) || tick < 0 || tick > result.ticks()) {
+        if (!(seconds >= 0 && tick <= result.ticks())) {
             throw new IllegalArgumentException(
                     "there is no " + seconds + " s in a run of " + result.simulatedSeconds() + " s");
         }

@@ -87,6 +87,7 @@ class ScenarioRunTest {
                 assertThrows(IllegalArgumentException.class, () -> run.poseAt(20.5))
                         .getMessage());
         assertThrows(IllegalArgumentException.class, () -> run.poseAt(-1));
+        assertThrows(IllegalArgumentException.class, () -> run.poseAt(-0.0099));
         assertThrows(IllegalArgumentException.class, () -> run.poseAt(Double.NaN));
         assertEquals(
                 "the robot has no sensor \"lefft\", only front, front-left, left, rear-left, "
