@@ -8,6 +8,9 @@ public final class ByteCount {
 
     private static final String[] UNITS = {"B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
 
+    /** The number of units of one size that the next one has. */
+    private static final BigDecimal STEP = BigDecimal.valueOf(1024);
+
     private ByteCount() {}
 
     /**
@@ -18,12 +21,11 @@ public final class ByteCount {
      */
     public static String format(long bytes) {
         int unit = 0;
-        while (unit + 1 < UNITS.length && bytes >> 10 * (unit + 1) > 0) {
+        BigDecimal rounded = BigDecimal.valueOf(bytes);
+        while (unit + 1 < UNITS.length && rounded.compareTo(STEP) >= 0) {
             unit++;
+            rounded = BigDecimal.valueOf(bytes).divide(BigDecimal.valueOf(1L << 10 * unit), 1, RoundingMode.UP);
         }
-        BigDecimal rounded = BigDecimal.valueOf(bytes)
-                .divide(BigDecimal.valueOf(1L << 10 * unit), 1, RoundingMode.UP)
-                .stripTrailingZeros();
-        return rounded.toPlainString() + " " + UNITS[unit];
+        return rounded.stripTrailingZeros().toPlainString() + " " + UNITS[unit];
     }
 }
