@@ -13,7 +13,7 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * The paper's claim that t_D does not depend on other sensors: every other sensor fails in every way, once from the
+ * The paper's claim that t_D does not depend on other sensors: every other sensor fails in four ways, once from the
  * beginning of the spin, and once from the start of the run, where the robot may stop at another place.
  */
 final class OtherSensorFaults implements Figure {
