@@ -1,6 +1,5 @@
 package faultline.scenario;
 
-import faultline.control.ControllerState;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import faultline.engine.metrics.RunResult;
@@ -15,7 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 
 /** A run's result as lines of the form {@code key: value}, the same in every language. */
 public final class RunSummary {
@@ -33,10 +31,7 @@ public final class RunSummary {
                 "simulated_s: " + DecimalText.format(result.simulatedSeconds()),
                 "real_time_factor: " + formatNumber(result.realTimeFactor(), 1),
                 "state: " + result.finalState(),
-                "states: "
-                        + result.visitedStates().stream()
-                                .map(ControllerState::name)
-                                .collect(Collectors.joining(" ")),
+                "states: " + result.visitedNames(),
                 "collision: "
                         + result.collision().map(RunSummary::formatCollision).orElse("none"),
                 "collided_with: "

@@ -1,9 +1,21 @@
 package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Telemetry;
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.geometry.Pose;
+import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -29,6 +41,20 @@ class RunSummaryTest {
                         "rung_changes: THREE at 0.75",
                         "health_changes: left OFF at 0.5, left trusted at 2"),
                 RunSummary.lines(SampleResults.eventful()));
+    }
+
+    @Test
+    void aStateWithABlankIsInQuotes() {
+        Telemetry telemetry = Telemetry.ofState(ControllerState.of("wall ahead"));
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 4, true, 3, List.of()), new Pose(2, 2, 0))
+                .withDuration(0.05);
+        RunResult result =
+                HeadlessRun.run(setup, observation -> new Decision(0, 0, telemetry), ControllerMode.DIRECT, List.of());
+        List<String> lines = RunSummary.lines(result);
+        assertTrue(lines.contains("states: SEARCH \"wall ahead\""), lines::toString);
+        assertEquals(
+                Optional.of("expected the state wall, but it was never reached; passed: SEARCH \"wall ahead\""),
+                new Expectation.VisitedState(ControllerState.of("wall")).unmet(result));
     }
 
     @Test

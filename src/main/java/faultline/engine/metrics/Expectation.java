@@ -9,7 +9,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 
 /**
  * An expectation about the result of a scenario's run.
@@ -243,11 +242,7 @@ public record Expectation(List<Condition> conditions) {
         public Optional<String> unmet(RunFacts facts) {
             return facts.visitedStates().contains(state)
                     ? Optional.empty()
-                    : Condition.expected("the state " + state, "it was never reached; passed: " + passed(facts));
-        }
-
-        private static String passed(RunFacts facts) {
-            return facts.visitedStates().stream().map(ControllerState::name).collect(Collectors.joining(" "));
+                    : Condition.expected("the state " + state, "it was never reached; passed: " + facts.visitedNames());
         }
     }
 

@@ -5,6 +5,7 @@ import faultline.world.Collision;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /** The facts of a run that expectations are compared with, during the run or at its end. */
 public interface RunFacts {
@@ -14,6 +15,14 @@ public interface RunFacts {
 
     /** {@return all states that the controller passed through, in the order of their first appearance} */
     List<ControllerState> visitedStates();
+
+    /** {@return the names of all states, in order, with blanks between them; a name with a blank is in quotes} */
+    default String visitedNames() {
+        return visitedStates().stream()
+                .map(ControllerState::name)
+                .map(name -> name.indexOf(' ') < 0 ? name : '"' + name + '"')
+                .collect(Collectors.joining(" "));
+    }
 
     /** {@return the robot's first collision, if there was one} */
     Optional<Collision> collision();
