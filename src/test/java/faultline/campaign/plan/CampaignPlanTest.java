@@ -97,6 +97,10 @@ class CampaignPlanTest {
                 List.of("none"),
                 plan("<set attribute=\"controller/@type\" value=\"none\"/>").controllerTypes());
         assertEquals(
+                List.of("wall-follower"),
+                plan("<set attribute=\"controller/@distance\" value=\"0.2 0.3\"/>")
+                        .controllerTypes());
+        assertEquals(
                 List.of("drive", "none"),
                 plan("<set attribute=\"controller/@type\" value=\"any of drive none\"/>")
                         .controllerTypes());

@@ -72,6 +72,8 @@ class PlanReaderTest {
             <set attribute="controller/setting[1]/@value" value="1"/> | plan.xml:3:58: attribute of <set> is "controller/setting[1]/@value", but <controller> has no setting[1] (in room)
             <set attribute="controller/setting[a]/@value" value="1"/> | plan.xml:3:58: <controller> must not contain <setting>; expected nothing (in room)
             <masks sensors='front "left'/> | plan.xml:3:31: sensors of <masks> is "front "left"; expected ids with blanks between them, with whole ids in double quotes; at most 100000 of them
+            <variants/> | plan.xml:3:12: <variants> contains no variant; expected one or more
+            <variants><variant name="a"/><variant name="b"/><variant name="a"/></variants> | plan.xml:3:68: name of <variant> is "a"; expected a unique name
             <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {
@@ -311,5 +313,43 @@ class PlanReaderTest {
                 .map(facet -> (Element) owner.getElementsByTagName(facet).item(0))
                 .map(facet -> Long.valueOf(facet.getAttribute("value")))
                 .toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Speed", "2fast", "_speed", "top-speed", "speed ", "top speed", "LONG"})
+    void aColumnHasAShortNameInLowerSnakeCase(String name) {
+        String longest = "s".repeat(61);
+        assertEquals(List.of(), SamplePlan.problems(speedsNamed(longest)));
+        assertEquals(List.of(), SamplePlan.problems(speedsNamed("top_speed_2")));
+        String wrong = name.replace("LONG", longest + "s");
+        List<String> problems = SamplePlan.problems(speedsNamed(wrong));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("name of <set> is \"" + name.replace("LONG", "sss")), problems::toString);
+        assertTrue(
+                problems.get(0)
+                        .endsWith("; expected lower-case letters, digits and underscores, beginning with a letter"),
+                problems::toString);
+    }
+
+    private static String speedsNamed(String name) {
+        return "<set attribute=\"robot/@speed\" value=\"0.1 0.2\" name=\"" + name + "\"/>";
+    }
+
+    @Test
+    void allCombinationsOfUpToSixteenSensorsAreTried() throws ScenarioException {
+        List<String> ids = IntStream.range(0, 17).mapToObj(i -> "s" + i).toList();
+        String sensors = ids.stream()
+                .map(id -> "<sensor id=\"" + id + "\" x=\"0.1\" y=\"0\" bearing=\"0\"/>")
+                .collect(Collectors.joining());
+        String room = SamplePlan.ROOM.replace("y=\"1.2\"/>", "y=\"1.2\">" + sensors + "</robot>");
+        String plan = "<worlds><scenario file=\"room.xml\"/></worlds><masks sensors=\"%s\"/>";
+        String sixteen = SamplePlan.text("", String.format(plan, String.join(" ", ids.subList(0, 16))));
+        assertEquals(1 << 16, SamplePlan.read(sixteen, room).runCount());
+        String seventeen = SamplePlan.text("", String.format(plan, String.join(" ", ids)));
+        ScenarioException refusal = assertThrows(ScenarioException.class, () -> SamplePlan.read(seventeen, room));
+        assertEquals(1, refusal.problems().size());
+        String problem = refusal.problems().get(0).message().toString();
+        assertTrue(problem.startsWith("sensors of <masks> is \"s0 s1 "), problem);
+        assertTrue(problem.endsWith("; expected at most 16 of them"), problem);
     }
 }

@@ -99,4 +99,11 @@ class UniformSamplerTest {
                 .sum();
         assertTrue(Math.abs(12 * sum / blocks) < 0.03, "correlation " + 12 * sum / blocks);
     }
+
+    /** This draw is less than 1e-9 of its part below the end of the last part, so that the quotient rounds to 1. */
+    @Test
+    void aDrawAtTheEndOfTheLastPartOfTheLargestPlanIsBelowOne() {
+        UniformSampler sampler = new UniformSampler(610_218_365, true, (int) CampaignPlan.MAX_RUNS);
+        assertEquals(Math.nextDown(1.0), sampler.uniform("a", 3_717_954));
+    }
 }

@@ -59,6 +59,18 @@ class ValueSyntaxTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"1..3/3, 1|2|3", "any of left right, left", "1..3, 1"})
+    void idsWithoutQuotesHaveTheFormsOfOtherValues(String text, String ids) {
+        List<AttributeValue> values = ValueSyntax.parseIds(text, "stream").orElseThrow();
+        assertEquals(
+                ids,
+                values.stream()
+                        .map(value -> value.text((stream, block) -> 0, 0))
+                        .collect(Collectors.joining("|")));
+        assertEquals(Optional.empty(), ValueSyntax.parseIds("", "stream"));
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"\"front nose", "front\"nose\"", "\"front\"nose", "\"\"", "any of \"front", "\""})
     void quotesAreInPairsAroundWholeIds(String text) {
         assertEquals(Optional.empty(), ValueSyntax.parseIds(text, "stream"));
@@ -75,6 +87,7 @@ class ValueSyntaxTest {
     void aGridIsEvenlySpacedAndHasBothBounds() {
         assertEquals(List.of("0.1", "0.2", "0.3", "0.4"), texts("0.1..0.4/4", 0));
         assertEquals(List.of("-1", "0", "1"), texts("-1..1/3", 0));
+        assertEquals(List.of("0", "0.333333333333", "0.666666666667", "1"), texts("0..1/4", 0), "twelve digits");
     }
 
     /** The dialog of a batch counts at each key that is typed. */
@@ -118,7 +131,7 @@ class ValueSyntaxTest {
         assertEquals(List.of("0.1"), texts("0.1..0.4", 0));
         assertEquals(List.of("0.25"), texts("0.1..0.4", 0.5));
         assertEquals(List.of("0.4"), texts("0.1..0.4", Math.nextDown(1.0)));
-        assertEquals(List.of("0.199999"), texts("0.1..0.4", 0.33333), "six digits are enough");
+        assertEquals(List.of("0.133367"), texts("0.1..0.4", 0.111222333), "six digits are enough");
         assertEquals(List.of("1.2345612"), texts("1.2345612..1.2345698", 0), "rounded to 1.23456");
         assertEquals(List.of("1.2345698"), texts("1.2345612..1.2345698", Math.nextDown(1.0)), "rounded to 1.23457");
     }
@@ -137,7 +150,7 @@ class ValueSyntaxTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "  ", "4..1", "1..1", "a..b", "1..2/1", "1..", "..2", "1..2 3"})
+    @ValueSource(strings = {"", "  ", "4..1", "1..1", "a..b", "a..2", "1..b", "1..2/1", "1..", "..2", "1..2 3"})
     void aTextThatIsNoValueIsRefused(String syntax) {
         assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream", false));
     }
