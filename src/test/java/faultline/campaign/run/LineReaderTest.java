@@ -19,12 +19,13 @@ class LineReaderTest {
 
     @Test
     void linesComeWithTheirLineFeedsAndTheirLengthInBytes() throws IOException {
-        Path file = Files.writeString(folder.resolve("a.csv"), "run\n\n\u00fc\nend");
+        Path file = Files.writeString(folder.resolve("a.csv"), "run\n\n\u00fc\na\0b\nend");
         try (LineReader in = new LineReader(file)) {
             assertEquals("run\n", in.next());
             assertEquals("\n", in.next());
             assertEquals("\u00fc\n", in.next());
             assertEquals(3, in.length());
+            assertEquals("a\0b\n", in.next(), "a crash of the machine may leave zeros");
             assertEquals("end", in.next());
             assertEquals("", in.next());
             assertFalse(in.isTooLong());
@@ -40,6 +41,17 @@ class LineReaderTest {
             assertTrue(in.isTooLong());
             assertTrue(line.startsWith(piece) && piece.length() < line.length());
             assertEquals(line + "\n", piece + in.next());
+        }
+    }
+
+    @Test
+    void aLineOfTheMaximumLengthWithItsLineFeedIsNotTooLong() throws IOException {
+        String longest = "x".repeat(LineReader.MAX_LENGTH - 1) + "\n";
+        try (LineReader in = new LineReader(Files.writeString(folder.resolve("a.csv"), longest + "x" + longest))) {
+            assertEquals(longest, in.next());
+            assertFalse(in.isTooLong());
+            in.next();
+            assertTrue(in.isTooLong());
         }
     }
 

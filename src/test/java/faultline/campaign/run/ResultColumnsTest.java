@@ -14,6 +14,8 @@ import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.scenario.RunSummary;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -115,11 +117,15 @@ class ResultColumnsTest {
                 "detection_view_s", diagnosis.secondsInView(),
                 "detection_error_m", diagnosis.errorBeforeDetection(),
                 "simulated_s", OptionalDouble.of(result.simulatedSeconds()));
-        numbers.forEach((name, number) -> assertEquals(
-                number.orElseThrow(),
-                Double.parseDouble(cells.get(name)),
-                name.endsWith("rms_m") ? 5.1e-7 : 5.1e-4,
-                name + " of " + cells));
+        Map<String, Integer> digits = Map.of(
+                "wall_share", 4,
+                "coverage", 4,
+                "detection_error_m", 4,
+                "distance_rms_m", 6,
+                "follow_rms_m", 6,
+                "simulated_s", 9);
+        numbers.forEach((name, number) ->
+                assertEquals(rounded(number.orElseThrow(), digits.getOrDefault(name, 3)), cells.get(name), name));
         assertEquals(
                 numbers.size(),
                 numbers.keySet().stream().map(cells::get).distinct().count(),
@@ -128,6 +134,13 @@ class ResultColumnsTest {
         assertEquals(diagnosis.rung(), cells.get("final_rung"));
         assertEquals("0", cells.get("false_alarms"));
         assertEquals("", cells.get("failure"));
+    }
+
+    private static String rounded(double number, int digits) {
+        return BigDecimal.valueOf(number)
+                .setScale(digits, RoundingMode.HALF_UP)
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     @Test

@@ -52,6 +52,17 @@ class RunTableTest {
         assertEquals(deleted.resolve("timing.csv") + ": its folder does not exist", e.getMessage());
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"runs.csv", "timing.csv"})
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "open files cannot be deleted")
+    void aTableThatIsDeletedMeanwhileIsReported(String name) throws IOException {
+        RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1);
+        table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
+        Files.delete(folder.resolve(name));
+        MessageException e = assertThrows(MessageException.class, table::close);
+        assertTrue(e.getMessage().startsWith(folder.resolve(name) + ": "), e.getMessage());
+    }
+
     @Test
     @EnabledOnOs(value = OS.LINUX, disabledReason = "the open files are listed in /proc")
     void aTableThatCannotBeOpenedLeavesNoFileOpen() throws IOException {
@@ -200,6 +211,7 @@ class RunTableTest {
     @Test
     void aRunOutOfOrderIsRefused() throws IOException {
         try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 1, 3)) {
+            assertEquals(1, table.next());
             assertThrows(IllegalStateException.class, () -> table.add(new RunMaker.MadeRun(2, ROW, false, 100, 0.5)));
         }
     }
