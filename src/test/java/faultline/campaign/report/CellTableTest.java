@@ -301,4 +301,26 @@ class CellTableTest {
                 continuous == 1 ? List.of("speed") : List.of(),
                 campaign().continuousColumns().stream().map(Column::name).toList());
     }
+
+    /** Each world is worth one run, because all runs of a world agree. */
+    @Test
+    void theRunsOfEachOfTwoWorldsAreACluster() throws ScenarioException {
+        plan = SamplePlan.read(SamplePlan.text("", PLAN.replace("</worlds>", "<scenario file=\"b.xml\"/></worlds>")));
+        lines.clear();
+        lines.add(List.of("run", "block", "world", "fault_kind", "fault_sensor", "carried_on"));
+        for (int run = 0; run < 4; run++) {
+            String block = Integer.toString(run);
+            lines.add(List.of(block, block, run < 2 ? "a" : "b", "off", "front", run < 2 ? "1" : "0"));
+        }
+        Interval expected = Interval.wilson(1, 2);
+        Interval interval = Survival.of(campaign().rows()).interval();
+        assertEquals(expected.low(), interval.low(), 1e-12);
+        assertEquals(expected.high(), interval.high(), 1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "0.004, 0", "0.126, 13", "0.9, 90", "0.906, 90.6", "0.9994, 99.9", "0.9999, 99.9", "1, 100"})
+    void aShareInPercentIsAHundredForAllRunsOnly(double share, String text) {
+        assertEquals(text, Survival.percentText(share));
+    }
 }

@@ -110,6 +110,24 @@ class ComparisonTest {
         assertEquals(1, numberDifference().orElseThrow().pairs());
     }
 
+    /** The means of the worlds are 0.2 and 0.4, and the 0.975 quantile of Student's t for them is 12.706205. */
+    @Test
+    void twoWorldsGiveAWideInterval() {
+        addPair(0, "a", 0.5, 0.7);
+        addPair(1, "b", 0.3, 0.7);
+        Interval interval = numberDifference().orElseThrow().interval();
+        assertEquals(0.3 - 1.2706205, interval.low(), 1e-6);
+        assertEquals(0.3 + 1.2706205, interval.high(), 1e-6);
+    }
+
+    @Test
+    void aPairOfWhichARunHasNoNumberDoesNotCount() {
+        addPair(0, "a", 0.5, 0.6);
+        addPair(1, "a", 0.4, Double.NaN);
+        addPair(2, "a", Double.NaN, 0.4);
+        assertEquals(1, numberDifference().orElseThrow().pairs());
+    }
+
     /** More than forty faults are grouped by fault and by sensor. */
     @Test
     void aSensorMayHaveTheNameOfAFault() {
@@ -216,6 +234,11 @@ class ComparisonTest {
         return comparison().faultGroups().stream()
                 .map(Comparison.RunGroup::name)
                 .toList();
+    }
+
+    @Test
+    void theRunsOfTheOnlyFaultAreAllRuns() {
+        assertEquals(List.of("all runs"), groups(1));
     }
 
     @Test

@@ -1,8 +1,11 @@
 package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
+import faultline.engine.RobotPath;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.HeadlessRun;
@@ -37,5 +40,59 @@ class ControllerRunsTest {
                         "refused at 0.5 s: there is no obstacle cat",
                         "refused at 0.5 s: there is no obstacle dog (in 1 of 3 runs)"),
                 new ControllerRuns("none", runs, List.of()).refusals());
+    }
+
+    private static ControllerRuns runsOfSeeds(String controller, long... seeds) throws Exception {
+        SimulationSetup setup =
+                Scenario.load(Path.of("scenarios/yard.xml")).setup().withDuration(0.1);
+        List<ControllerRuns.ComparedRun> runs = Arrays.stream(seeds)
+                .mapToObj(seed -> HeadlessRun.run(setup.withSeed(seed), ControllerMode.DIRECT, List.of()))
+                .map(result -> new ControllerRuns.ComparedRun(result, List.of(), 0))
+                .toList();
+        return new ControllerRuns(controller, runs, List.of());
+    }
+
+    @Test
+    void runsWithTheSameSeedArePairs() throws Exception {
+        ControllerRuns own = runsOfSeeds("own", 1, 2, 4, 5);
+        ControllerRuns other = runsOfSeeds("other", 2, 3, 5);
+        assertEquals(
+                List.of("2 2", "5 5"),
+                own.pairs(other).stream()
+                        .map(pair -> pair.own().result().seed() + " "
+                                + pair.other().result().seed())
+                        .toList());
+    }
+
+    @Test
+    void pairsOfRunsThatAreAllEqualCountOnce() throws Exception {
+        ControllerRuns own = runsOfSeeds("own", 1, 2);
+        assertTrue(own.areAllEqual());
+        assertEquals(1, own.countedPairs(runsOfSeeds("other", 1, 2)).size());
+        assertEquals(List.of(), own.countedPairs(runsOfSeeds("other", 3, 4)));
+        SimulationSetup longer =
+                Scenario.load(Path.of("scenarios/yard.xml")).setup().withDuration(0.2);
+        RunResult other = HeadlessRun.run(longer.withSeed(2), ControllerMode.DIRECT, List.of());
+        ControllerRuns varied = new ControllerRuns(
+                "varied", List.of(own.runs().get(0), new ControllerRuns.ComparedRun(other, List.of(), 0)), List.of());
+        assertEquals(2, own.countedPairs(varied).size());
+        assertEquals(2, varied.countedPairs(own).size());
+    }
+
+    @Test
+    void theRunsOfTheFirstHundredSeedsAreDrawn() throws Exception {
+        SimulationSetup first = Scenario.load(Path.of("scenarios/yard.xml"))
+                .setup()
+                .withDuration(0.1)
+                .withSeed(50);
+        RobotPath path;
+        try (Simulation run = new Simulation(first, ControllerMode.DIRECT)) {
+            path = run.frame().path();
+        }
+        for (long seed : new long[] {50, 149, 150}) {
+            RunResult result = HeadlessRun.run(first.withSeed(seed), ControllerMode.DIRECT, List.of());
+            ControllerRuns.ComparedRun run = ControllerRuns.ComparedRun.of(result, path, 0, first);
+            assertEquals(seed == 150, run.path().isEmpty(), "seed " + seed);
+        }
     }
 }

@@ -61,8 +61,29 @@ class MetricTest {
         assertEquals("0.75 [0.09, 0.95]", Metric.COLLISION.difference(List.of(worse, worse, worse, equal)));
         RunPair better = new RunPair(RESTING, COLLIDING);
         assertEquals("-0.75 [-0.95, -0.09]", Metric.COLLISION.difference(List.of(better, better, better, equal)));
+        RunPair both = new RunPair(COLLIDING, COLLIDING);
+        assertEquals("0.75 [0.09, 0.95]", Metric.COLLISION.difference(List.of(worse, worse, worse, both)));
+        assertEquals("1.00", Metric.COLLISION.difference(List.of(worse)));
         assertEquals("0.60 [0.60, 0.60]", Metric.PATH.difference(List.of(worse, worse)));
         assertEquals("none", Metric.COVERAGE.difference(List.of(worse, worse)));
+    }
+
+    @Test
+    void aPairOfWhichARunHasNoValueHasNoDifference() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1.5, 0))
+                .withDuration(30);
+        ComparedRun following = new ComparedRun(HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()), List.of(), 1);
+        assertFalse(Metric.COVERAGE.summary(List.of(following)).equals("none"));
+        RunPair first = new RunPair(following, RESTING);
+        RunPair second = new RunPair(RESTING, following);
+        assertEquals("none", Metric.COVERAGE.difference(List.of(first, second)));
+        assertEquals(
+                "0.000 (n = 1)", Metric.COVERAGE.difference(List.of(first, second, new RunPair(following, following))));
+    }
+
+    @Test
+    void aDistanceErrorIsGivenToATenthOfAMillimetre() {
+        assertEquals("0.0123", Metric.DISTANCE_RMS.summary(new double[] {0.012345}, 1));
     }
 
     @Test
