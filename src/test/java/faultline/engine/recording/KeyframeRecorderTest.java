@@ -12,6 +12,7 @@ import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** The keyframes of a run so long that its path has been thinned several times. */
@@ -52,6 +53,20 @@ class KeyframeRecorderTest {
             assertTrue(newest.isContinuationOf(frame.path()), "at tick " + tick);
             assertTrue(frame.path().size() >= size, "at tick " + tick);
             size = frame.path().size();
+        }
+    }
+
+    @Test
+    void theOnlyKeyframeIsThatOfEveryTick() {
+        assertEquals(Optional.empty(), Keyframes.EMPTY.frameAt(0));
+        assertEquals(0, Keyframes.EMPTY.size());
+        KeyframeRecorder recorder = new KeyframeRecorder();
+        assertEquals(Optional.empty(), recorder.view().frameAt(0));
+        try (Simulation run = new Simulation(CIRCLE, ControllerMode.DIRECT)) {
+            Frame first = run.frame();
+            recorder.add(first);
+            assertEquals(Optional.of(first), recorder.view().frameAt(0));
+            assertEquals(Optional.of(first), recorder.view().frameAt(TICKS));
         }
     }
 }

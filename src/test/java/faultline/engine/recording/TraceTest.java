@@ -131,6 +131,7 @@ class TraceTest {
         assertSame(trace.levels().get(2), trace.levelFor(0, 1000, 1000), "the finer ones have forgotten tick 0");
         assertSame(trace.levels().get(2), trace.levelFor(10_000, 11_000, 1000), "the finer ones begin later");
         assertSame(trace.levels().get(4), trace.levelFor(0, 100_000, 1000));
+        assertSame(trace.levels().get(6), trace.levelFor(0, 100_000, 10), "no level is coarse enough");
     }
 
     @Test
