@@ -298,6 +298,16 @@ class ProblemsTest {
     }
 
     @Test
+    void theNumberOfFurtherProblemsIsGivenIfThereAreAny() {
+        String piece = "<circle id=\"pole\" x=\"3\" y=\"1\" radius=\"0.02\"/>";
+        List<String> hundred = SampleScenario.problems(SampleScenario.withReplacement(piece, "<b/>".repeat(100)));
+        assertEquals(100, hundred.size());
+        assertTrue(hundred.stream().noneMatch(problem -> problem.contains("more problems")), hundred::toString);
+        List<String> more = SampleScenario.problems(SampleScenario.withReplacement(piece, "<b/>".repeat(101)));
+        assertEquals("room.xml: more problems: 1", more.get(100));
+    }
+
+    @Test
     void aLongOrUnprintableValueIsCutAndKeptOnOneLine() {
         String hostile =
                 SampleScenario.withReplacement("id=\"pole\"", "id=\"&#10;&#133;[2J" + "x".repeat(100_000) + "\"");
