@@ -34,6 +34,13 @@ class DidYouMeanTest {
         assertEquals("", DidYouMean.hint(given, NAMES));
     }
 
+    @Test
+    void aNameOfMoreThanSixtyLettersHasNoSuggestion() {
+        List<String> long60 = List.of("n".repeat(60));
+        assertEquals(Optional.of(long60.get(0)), DidYouMean.nearest("n".repeat(59) + "m", long60));
+        assertEquals(Optional.empty(), DidYouMean.nearest("n".repeat(60) + "m", long60));
+    }
+
     @ParameterizedTest
     @CsvSource({
         "'', '', 0",

@@ -1,5 +1,6 @@
 package faultline.paint.export;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -24,6 +25,8 @@ import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The cameras of pictures of whole worlds. */
 class FrameRendererTest {
@@ -43,6 +46,17 @@ class FrameRendererTest {
             cutWithout |= !showsAllCones(FrameRenderer.fitCamera(world, WIDTH, HEIGHT), world);
         }
         assertTrue(cutWithout, "the world alone is not always enough");
+    }
+
+    /** A picture is at most twice as high as wide and at least a quarter as high. */
+    @ParameterizedTest
+    @CsvSource({"4, 3, 600", "3, 4, 1066", "3, 6, 1600", "3, 9, 1600", "8, 2, 200", "12, 2, 200"})
+    void aPictureHasTheProportionsOfItsWorldIfTheyAreUsual(double width, double height, int pixels) {
+        SimulationSetup setup = SimulationSetup.of(
+                new WorldSpec(width, height, true, 0, List.of()), new Pose(width / 2, height / 2, 0));
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            assertEquals(pixels, FrameRenderer.heightFor(simulation.frame(), 800));
+        }
     }
 
     @Test
