@@ -19,9 +19,12 @@ import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import faultline.world.WorldSpec;
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -105,6 +108,25 @@ class FrameRendererTest {
     private static boolean shows(Camera camera, Vector2 point) {
         Vector2 pixel = camera.toScreen(point);
         return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= WIDTH && pixel.y() <= HEIGHT;
+    }
+
+    /** Each circle has a radius of 1.5 m. */
+    @ParameterizedTest
+    @CsvSource({
+        "5, 4, 0, 0, 10, 8",
+        "1, 4, -0.5, 0, 10, 8",
+        "5, 1, 0, -0.5, 10, 8",
+        "9, 4, 0, 0, 10.5, 8",
+        "5, 7, 0, 0, 10, 8.5",
+        "-3, 12, -4.5, 0, 10, 13.5"
+    })
+    void aPictureShowsTheWorldAndWhatIsOutsideOfIt(
+            double x, double y, double left, double bottom, double right, double top) {
+        Obstacle circle = new Obstacle("pole", new ObstacleShape.CircleShape(1.5), new Pose(x, y, 0));
+        Snapshot world =
+                snapshot(SimulationSetup.of(new WorldSpec(10, 8, false, 0, List.of(circle)), new Pose(0.5, 7.5, 0)));
+        Rectangle2D shown = new Rectangle2D.Double(left, bottom, right - left, top - bottom);
+        assertEquals(Camera.fit(shown, 24, WIDTH, HEIGHT), FrameRenderer.fitCamera(world, WIDTH, HEIGHT));
     }
 
     private static Snapshot snapshot(SimulationSetup setup) {
