@@ -56,12 +56,13 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
     }
 
     /**
-     * {@return the voltage, not limited, that holds a wheel speed given in metres per second}
+     * {@return the voltage, not limited to the supply but finite, that holds a wheel speed given in metres per second}
      *
-     * @param speed the wheel speed, in metres per second
+     * @param speed the wheel speed, in metres per second, finite
      */
     public double voltageFor(double speed) {
-        return speed / speedConstant;
+        double volts = speed / speedConstant;
+        return Double.isInfinite(volts) ? Math.copySign(Double.MAX_VALUE, volts) : volts;
     }
 
     /**
