@@ -48,9 +48,11 @@ public final class FrameRenderer {
      */
     public static RenderRequest request(Frame frame, Palette palette, int width, int height) {
         Rectangle2D bounds = bounds(frame.snapshot());
-        RobotPath path = frame.path();
-        for (int i = 0; i < path.size(); i++) {
-            bounds.add(path.x(i), path.y(i));
+        if (!frame.snapshot().enclosed()) {
+            RobotPath path = frame.path();
+            for (int i = 0; i < path.size(); i++) {
+                bounds.add(path.x(i), path.y(i));
+            }
         }
         return new RenderRequest(frame, Camera.fit(bounds, MARGIN, width, height), palette, Layer.defaults());
     }
