@@ -154,7 +154,7 @@ public final class SignalFault {
     }
 
     /**
-     * Reports a uniformly random distance in a share of ticks: file kind {@code ghost}.
+     * In a share of ticks, reports a uniformly random distance if it is less than the reading: file kind {@code ghost}.
      *
      * @param value the share, in [0, 1]
      */

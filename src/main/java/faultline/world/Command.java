@@ -376,8 +376,8 @@ public sealed interface Command {
     }
 
     /**
-     * Changes the controller or its settings. A controller of the same kind continues from its state; another one
-     * starts in its initial state.
+     * Changes the controller or its settings. A wall follower continues from its state unless its hand, its period or
+     * its diagnosis changes; any other controller starts in its initial state.
      *
      * @param controller the new settings
      */

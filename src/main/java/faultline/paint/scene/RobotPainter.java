@@ -76,7 +76,7 @@ final class RobotPainter {
     static void paint(DrawContext context, RobotSpec robot, Pose pose, double opacity) {
         AffineTransform frame = RigidMotion.poseTransform(pose);
         Color dark = ChartStyle.withOpacity(context.palette().robotOutline(), opacity);
-        // The front wheels come first, so that the picture stays the same to the byte.
+        // The front wheels come first. Another order would change the bytes of drawings.
         for (int axle = 0; axle < 2; axle++) {
             for (MotorSide side : MotorSide.values()) {
                 Vector2 centre = wheelCentres(robot, side).get(axle);
