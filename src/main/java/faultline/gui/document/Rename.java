@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.RobotSpec;
@@ -88,6 +89,14 @@ public record Rename(Renamed kind, String before, String after) {
                         .withObstacles(setup.world().obstacles().stream()
                                 .map(this::rename)
                                 .toList()));
+    }
+
+    /** Returns a journal with the new id in its setup and in all of its commands. */
+    Journal rename(Journal journal) {
+        List<Journal.Entry> entries = journal.entries().stream()
+                .map(entry -> new Journal.Entry(entry.tick(), rename(entry.command())))
+                .toList();
+        return new Journal(rename(journal.setup()), entries, journal.ticks(), journal.decisions());
     }
 
     /** Returns a robot with the new id. */

@@ -89,7 +89,7 @@ public final class RunNavigator implements WorkspaceListener {
     private void replay(
             OpenDocument now, TaskKind kind, Runnable preparation, ToLongFunction<Journal> end, Replay replay) {
         now.session().pause();
-        CompletableFuture<Journal> past = now.session().journal();
+        CompletableFuture<Journal> pastOfRun = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
                 .fullJournal()
                 .thenApplyAsync(
@@ -98,6 +98,8 @@ public final class RunNavigator implements WorkspaceListener {
                             return documentJournal(now, journal);
                         },
                         EventQueue::invokeLater);
+        CompletableFuture<Journal> past = whole.thenCombineAsync(
+                pastOfRun, (made, ofRun) -> now.document().named(ofRun), EventQueue::invokeLater);
         WorkspaceTask task = new WorkspaceTask(kind, now.document().displayPath());
         Callable<OpenDocument> maker = () -> {
             Journal journal = whole.join();

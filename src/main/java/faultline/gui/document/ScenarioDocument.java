@@ -215,6 +215,15 @@ final class ScenarioDocument {
                 .orElse(command);
     }
 
+    /** Returns a journal of the run with the ids that obstacles have in the journal that was made last. */
+    Journal named(Journal ofRun) {
+        Journal named = ofRun;
+        for (Rename rename : obstacleRenames.between(obstacleRenames.inRun, obstacleRenames.inJournal)) {
+            named = rename.rename(named);
+        }
+        return named;
+    }
+
     /** Returns commands of the run with the ids that their sensors and obstacles have in the edited scenario. */
     List<Command> named(List<Command> commands) {
         List<String> ids = edited().setup().robot().sensorIds();

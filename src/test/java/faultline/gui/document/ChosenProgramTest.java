@@ -246,6 +246,43 @@ class ChosenProgramTest {
         assertEquals(1, callOnEdt(differences::size), "the changed program again");
     }
 
+    @Test
+    void aNewIdOfAnObstacleReportsThatAChangedProgramHasDecidedDifferently() throws Exception {
+        choose("sh " + script("CIRCLE"));
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> {
+            run.send(List.of(new Command.MoveObstacle("tree", new Pose(9, 2.5, 0))), results -> {});
+            run.step();
+        });
+        Await.until("the move", () -> tick() == 1 && workspace.isChanged());
+        runOnEdt(() -> run.rename(Rename.ofObstacle("tree", "oak")));
+        waitFor("the third session", () -> sessionCount == 3);
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(differences)), "the same program");
+        Files.writeString(folder.resolve("follower.sh"), FOLLOWER.replace("0.1", "0.3"));
+        runOnEdt(() -> run.rename(Rename.ofObstacle("oak", "tree")));
+        waitFor("the report", () -> !differences.isEmpty());
+        assertEquals(List.of(0.01), callOnEdt(() -> List.copyOf(differences)));
+    }
+
+    @Test
+    void aNewIdOfAnObstacleThatTheProgramDoesNotSurviveLeavesTheRunAsItIs() throws Exception {
+        Path script = script("CIRCLE");
+        choose("sh " + script);
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> run.navigator().seek(30));
+        waitFor("the third session", () -> sessionCount == 3);
+        long hash = SessionFrames.trajectoryHash(workspace);
+        Files.writeString(script, "exit 1");
+        runOnEdt(() -> run.rename(Rename.ofObstacle("tree", "oak")));
+        waitFor("the failure", () -> failedTasks.equals(List.of(TaskKind.RESIMULATE)));
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
+        assertEquals(30, tick());
+        assertTrue(callOnEdt(() -> workspace.takeRenames()).isEmpty(), "the run has the id from before");
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(differences)));
+        runOnEdt(run::step);
+        Await.until("the program of the run before", () -> tick() == 31 && state().equals("CIRCLE"));
+    }
+
     /** The setup without the obstacle drops the move of it; then the setup is that of the run again. */
     @Test
     void aRunWithFewerCommandsThanBeforeIsNoOtherDecision() throws Exception {
