@@ -3,13 +3,16 @@ package faultline.gui.document;
 import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
@@ -176,10 +179,14 @@ final class ScenarioDocument {
      * The id itself if the list lacks the sensor.
      */
     String presentId(String id, List<String> ids) {
-        int count = sensorRenames.size();
-        List<Rename> back = Rename.inverse(sensorRenames);
+        return presentId(id, ids, sensorRenames);
+    }
+
+    private static String presentId(String id, Collection<String> ids, List<Rename> renames) {
+        int count = renames.size();
+        List<Rename> back = Rename.inverse(renames);
         return Stream.concat(
-                        IntStream.rangeClosed(0, count).mapToObj(last -> sensorRenames.subList(count - last, count)),
+                        IntStream.rangeClosed(0, count).mapToObj(last -> renames.subList(count - last, count)),
                         Stream.of(back))
                 .map(changes -> renamedUntilIn(ids, id, changes))
                 .filter(ids::contains)
@@ -187,12 +194,22 @@ final class ScenarioDocument {
                 .orElse(id);
     }
 
-    private static String renamedUntilIn(List<String> ids, String id, List<Rename> changes) {
+    private static String renamedUntilIn(Collection<String> ids, String id, List<Rename> changes) {
         String result = id;
         for (Rename change : changes) {
             result = ids.contains(result) ? result : change.rename(result);
         }
         return result;
+    }
+
+    /** Returns an earlier command of the timeline with the id that its sensor or obstacle has now, if it is there. */
+    Command presentCommand(Command command) {
+        SimulationSetup setup = edited().setup();
+        Set<String> ids = ObstacleOrigins.idsIn(setup);
+        return ObstacleOrigins.subject(command)
+                .map(id -> Rename.ofObstacle(id, presentId(id, ids, obstacleRenames.all))
+                        .rename(command))
+                .orElseGet(() -> named(command, setup.robot().sensorIds()));
     }
 
     /** Returns the number of changes of ids of obstacles. */

@@ -247,6 +247,11 @@ public final class Workspace implements AutoCloseable {
         return document().map(now -> now.presentId(id, ids)).orElse(id);
     }
 
+    /** Returns an earlier command of the timeline with the id that its sensor or obstacle has now, if it is there. */
+    public Command presentCommand(Command command) {
+        return document().map(now -> now.presentCommand(command)).orElse(command);
+    }
+
     /** Returns a command of the views with the id that its obstacle has in the edited scenario. */
     public Command ofViews(Command command) {
         return document().map(now -> now.ofViews(command)).orElse(command);

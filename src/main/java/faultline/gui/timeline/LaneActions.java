@@ -127,17 +127,23 @@ final class LaneActions {
     }
 
     /**
-     * Adds the copied item at a time, in the selected lane if it can be there, unless the scenario lacks its subject.
+     * Adds the copied item at a time, in the selected lane if it can be there, unless the scenario lacks its subject,
+     * which is reported.
      */
     void paste(double start) {
-        pasteItem(start).ifPresent(this::addAndSelect);
+        copiedItem(start).ifPresent(item -> {
+            if (editor.hasSubjectOf(item)) {
+                addAndSelect(item);
+            } else {
+                editor.reportNoSubject(item);
+            }
+        });
     }
 
-    private Optional<TimelineItem> pasteItem(double start) {
+    private Optional<TimelineItem> copiedItem(double start) {
         return editor.clipboard()
                 .map(item -> startingAt(item, editor.roundToTick(start)))
-                .map(item -> item.inLane(view.selectedLane()))
-                .filter(editor::hasSubjectOf);
+                .map(item -> item.inLane(view.selectedLane()));
     }
 
     /** Adds a copy of the selected item directly after it. */
@@ -203,7 +209,8 @@ final class LaneActions {
         menu.addSeparator();
         add(menu, "timeline.menu.cut", item, this::cut);
         add(menu, "timeline.menu.copy", item, this::copy);
-        add(menu, "timeline.menu.paste", pasteItem(time).isPresent(), () -> paste(time));
+        boolean pasteable = copiedItem(time).filter(editor::hasSubjectOf).isPresent();
+        add(menu, "timeline.menu.paste", pasteable, () -> paste(time));
         add(menu, "timeline.menu.duplicate", item, this::duplicate);
         add(menu, "timeline.menu.delete", item, this::delete);
         return menu;

@@ -13,6 +13,7 @@ import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /** Changes the timeline of the open scenario; every change can be undone. Event dispatch thread only. */
@@ -21,6 +22,7 @@ public final class TimelineEditor {
     private final Workspace workspace;
     private final RunController run;
     private final UndoController undo;
+    private final Consumer<String> notes;
     private TimelineModel model = TimelineModel.EMPTY;
     private TimelineItem clipboard;
     /** The item that the last undo or redo restored, until a view has selected it; null for none. */
@@ -30,11 +32,15 @@ public final class TimelineEditor {
     /** Stands for that item in its gesture. */
     private Object lastTarget = new Object();
 
-    /** Creates an editor of the scenario of a workspace. */
-    public TimelineEditor(Workspace workspace, RunController run, UndoController undo) {
+    /**
+     * Creates an editor of the scenario of a workspace; {@code notes} receives sentences in the current language about
+     * why nothing has changed.
+     */
+    public TimelineEditor(Workspace workspace, RunController run, UndoController undo, Consumer<String> notes) {
         this.workspace = workspace;
         this.run = run;
         this.undo = undo;
+        this.notes = notes;
     }
 
     /** Returns the timeline of the open scenario; the same object as before if nothing has changed. */
@@ -106,24 +112,24 @@ public final class TimelineEditor {
         clipboard = model().items().get(index);
     }
 
-    /** Returns the item that was copied last; empty if there is none. */
+    /** Returns the item that was copied last, with the present id of its sensor or obstacle; empty if there is none. */
     Optional<TimelineItem> clipboard() {
-        return Optional.ofNullable(clipboard);
+        return Optional.ofNullable(clipboard).map(this::presentItem);
     }
 
-    /** Returns an item of an earlier timeline with the present id of its sensor. */
+    /** Returns an item of an earlier timeline with the present id of its sensor or obstacle. */
     TimelineItem presentItem(TimelineItem item) {
-        return item.command() instanceof Command.SensorCommand about
-                ? new TimelineItem(
-                        about.withSensorId(workspace.presentId(about.sensorId(), robot().sensorIds())),
-                        item.start(),
-                        item.end())
-                : item;
+        return new TimelineItem(workspace.presentCommand(item.command()), item.start(), item.end());
     }
 
     /** Returns whether the scenario has the sensor or the obstacle that an item is about. */
     boolean hasSubjectOf(TimelineItem item) {
         return workspace.hasSubjectOf(item.command());
+    }
+
+    /** Reports that an item is not pasted because the scenario has no sensor or obstacle that it is about. */
+    void reportNoSubject(TimelineItem item) {
+        notes.accept(Messages.get("timeline.paste.noSubject", TimelineText.title(item)));
     }
 
     /** The items that are selected after an undo and after a redo, null for none. */
@@ -199,9 +205,12 @@ public final class TimelineEditor {
                 .toList();
     }
 
-    /** Returns, once, the item that the last undo or redo brought back; empty if there is none. */
+    /**
+     * Returns, once, the item that the last undo or redo brought back, with the present id of its sensor or obstacle;
+     * empty if there is none.
+     */
     Optional<TimelineItem> takeRestored() {
-        Optional<TimelineItem> result = Optional.ofNullable(restored);
+        Optional<TimelineItem> result = Optional.ofNullable(restored).map(this::presentItem);
         restored = null;
         return result;
     }

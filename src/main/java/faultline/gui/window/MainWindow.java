@@ -212,7 +212,7 @@ public final class MainWindow extends JFrame {
     }
 
     private MainPanel.Editors createEditors() {
-        TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController);
+        TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController, this::showNote);
         ObstacleEditor obstacles = new ObstacleEditor(workspace, scenarioEditor);
         return new MainPanel.Editors(commandSender, scenarioEditor, sensorActions, obstacles, timeline);
     }

@@ -12,6 +12,7 @@ import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Keystrokes;
+import faultline.gui.document.Rename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -43,6 +44,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 @ExtendWith(EdtChecker.class)
 class LaneActionsTest {
 
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0));
     private static final Fault STUCK = new Fault.Stuck(0.3);
     /** Times of a file, which need not be whole ticks. */
     private static final double START = 4.1234;
@@ -109,8 +111,7 @@ class LaneActionsTest {
 
     @Test
     void aMoveIsNotPastedIntoAScenarioWithoutItsObstacle() {
-        Obstacle box = new Obstacle("box", new ObstacleShape.CircleShape(0.1), new Pose(1, 1, 0));
-        TimelineItem put = TimelineItem.from(new Command.PlaceObstacle(box), 5);
+        TimelineItem put = TimelineItem.from(new Command.PlaceObstacle(BOX), 5);
         runOnEdt(() -> {
             editor.add(put, null);
             editor.add(TimelineItem.from(new Command.MoveObstacle("box", new Pose(2, 1, 0)), 6), null);
@@ -122,8 +123,32 @@ class LaneActionsTest {
         assertEquals(List.of(START, END), times(), "a move of nothing is not in the scenario");
         runOnEdt(() -> actions.paste(15));
         assertEquals(List.of(START, END), times());
+        String note = "\"box moved to 2.000, 1.000, 0.0°\" is not pasted: the scenario lacks its sensor or obstacle";
+        assertEquals(List.of(note), lanes.notes());
         runOnEdt(undo::undo);
         assertEquals(List.of(START, END, 5.0, 6.0, 13.29), times());
+    }
+
+    @Test
+    void aMoveThatIsCopiedSelectedOrRestoredFollowsItsObstacle() {
+        TimelineItem move = TimelineItem.from(new Command.MoveObstacle("box", new Pose(2, 1, 0)), 6);
+        TimelineItem renamed = TimelineItem.from(new Command.MoveObstacle("crate", new Pose(2, 1, 0)), 6);
+        runOnEdt(() -> {
+            editor.add(TimelineItem.from(new Command.PlaceObstacle(BOX), 5), null);
+            editor.add(move, null);
+            view.select(move);
+            actions.copy();
+            lanes.run().rename(Rename.ofObstacle("box", "crate"));
+            updateView();
+            assertEquals(Optional.of(renamed), view.selectedItem());
+            actions.paste(13.29);
+            assertEquals(Optional.of(renamed.withTimes(13.29, 13.29)), view.selectedItem());
+            undo.undo();
+            lanes.run().rename(Rename.ofObstacle("crate", "chest"));
+            updateView();
+            TimelineItem last = TimelineItem.from(new Command.MoveObstacle("chest", new Pose(2, 1, 0)), 6);
+            assertEquals(Optional.of(last), view.selectedItem());
+        });
     }
 
     private JMenuItem menuItem(String text) {

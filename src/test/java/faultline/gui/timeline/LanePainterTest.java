@@ -58,8 +58,8 @@ class LanePainterTest {
         });
         SessionFrames.awaitScenario(workspace);
         runOnEdt(() -> {
-            view = new LaneView(
-                    new TimelineEditor(workspace, run, new UndoController(new CommandSender(run::send), () -> {})));
+            view = new LaneView(new TimelineEditor(
+                    workspace, run, new UndoController(new CommandSender(run::send), () -> {}), note -> {}));
             run.change(old -> old.withSetup(old.setup()
                     .withTimeline(List.of(
                             new TimedCommand(10, new Command.InjectFault("left", new Fault.Dropout(0.3))),

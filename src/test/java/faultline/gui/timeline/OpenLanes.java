@@ -11,10 +11,17 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.UndoController;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /** The lanes of an open scenario with ticks of 0.01 s, with all that edits its timeline. */
-record OpenLanes(Workspace workspace, RunController run, UndoController undo, TimelineEditor editor, LaneView view) {
+record OpenLanes(
+        Workspace workspace,
+        RunController run,
+        UndoController undo,
+        TimelineEditor editor,
+        LaneView view,
+        List<String> notes) {
 
     /** Opens the scenario and waits for its first frame. Must not be called on the EDT. */
     static OpenLanes open() {
@@ -27,8 +34,9 @@ record OpenLanes(Workspace workspace, RunController run, UndoController undo, Ti
         SessionFrames.awaitScenario(workspace);
         return callOnEdt(() -> {
             UndoController undo = new UndoController(new CommandSender(run::send), () -> {});
-            TimelineEditor editor = new TimelineEditor(workspace, run, undo);
-            return new OpenLanes(workspace, run, undo, editor, new LaneView(editor));
+            List<String> notes = new ArrayList<>();
+            TimelineEditor editor = new TimelineEditor(workspace, run, undo, notes::add);
+            return new OpenLanes(workspace, run, undo, editor, new LaneView(editor), notes);
         });
     }
 

@@ -78,7 +78,7 @@ class RandomEditsTest {
             run = new RunController(workspace);
             sender = new CommandSender(run::send);
             undo = new UndoController(sender, () -> {});
-            timeline = new TimelineEditor(workspace, run, undo);
+            timeline = new TimelineEditor(workspace, run, undo, note -> {});
             properties = new ScenarioEditor(run, undo);
             sensors = new SensorEditor(workspace, properties, note -> {});
             undo.follow(workspace, run);

@@ -114,7 +114,7 @@ class RandomGesturesTest {
             run = new RunController(workspace);
             sender = StoppedClock.sender(run::send, () -> now);
             undo = new UndoController(sender, () -> {});
-            timeline = new TimelineEditor(workspace, run, undo);
+            timeline = new TimelineEditor(workspace, run, undo, note -> {});
             properties = new ScenarioEditor(run, undo);
             undo.follow(workspace, run);
             workspace.addListener(new TaskFailures());

@@ -44,7 +44,7 @@ class TimelineEditorTest {
             run = new RunController(workspace);
             sender = StoppedClock.sender(run::send);
             undo = new UndoController(sender, () -> {});
-            timeline = new TimelineEditor(workspace, run, undo);
+            timeline = new TimelineEditor(workspace, run, undo, note -> {});
             undo.follow(workspace, run);
             workspace.addListener(new TaskFailures());
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));

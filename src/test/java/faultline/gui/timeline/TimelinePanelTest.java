@@ -38,7 +38,7 @@ class TimelinePanelTest {
     private static TimelinePanel createPanel() {
         RunController run = new RunController(new Workspace());
         UndoController undo = new UndoController(new CommandSender(run::send), () -> {});
-        return createPanel(new TimelineEditor(new Workspace(), run, undo));
+        return createPanel(new TimelineEditor(new Workspace(), run, undo, note -> {}));
     }
 
     private static TimelinePanel createPanel(TimelineEditor editor) {

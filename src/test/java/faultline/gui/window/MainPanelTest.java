@@ -195,7 +195,7 @@ class MainPanelTest {
             UndoController undo,
             DefaultBoundedRangeModel speed) {
         ScenarioEditor scenario = new ScenarioEditor(run, undo);
-        TimelineEditor timeline = new TimelineEditor(workspace, run, undo);
+        TimelineEditor timeline = new TimelineEditor(workspace, run, undo, note -> {});
         return new MainPanel(
                 canvas,
                 new MainPanel.Editors(sender, scenario, sensors, new ObstacleEditor(workspace, scenario), timeline),
