@@ -5,6 +5,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.engine.Frame;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.properties.ObstaclePanel;
@@ -93,6 +95,28 @@ class ObstacleIdRobotTest {
         driver.choose("undo");
         driver.waitForFrame("its old id", frame -> has(frame, "copier"));
         driver.waitForTitle("office.xml");
+    }
+
+    @Test
+    void aDragThatLeavesTheFieldAppliesTheIdAndMovesTheObstacle() {
+        Pose before = driver.frame().snapshot().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals("copier"))
+                .findFirst()
+                .orElseThrow()
+                .pose();
+        type(KeyEvent.VK_F, KeyEvent.VK_A, KeyEvent.VK_X);
+        Vector2 at = callOnEdt(() -> driver.canvas().camera().toScreen(before.position()));
+        driver.robot()
+                .drag(
+                        driver.canvas(),
+                        (int) at.x(),
+                        (int) at.y(),
+                        (int) at.x() - 40,
+                        (int) at.y() + 40,
+                        InputEvent.BUTTON1_DOWN_MASK);
+        driver.waitForFrame("it has its id and another place", frame -> frame.snapshot().obstacles().stream()
+                .anyMatch(obstacle ->
+                        obstacle.id().equals("fax") && !obstacle.pose().equals(before)));
     }
 
     @Test

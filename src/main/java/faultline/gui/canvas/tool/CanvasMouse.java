@@ -15,6 +15,7 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 
@@ -109,6 +110,13 @@ public final class CanvasMouse extends MouseAdapter {
         if (gesture != null) {
             gesture.cancel();
             gesture = null;
+        }
+    }
+
+    /** Lets the gesture follow a change of the ids of obstacles. */
+    void renameObstacles(UnaryOperator<String> nextId) {
+        if (gesture != null) {
+            gesture.renameObstacles(nextId);
         }
     }
 

@@ -261,6 +261,7 @@ public final class CanvasTools {
     public void renameObstacles(UnaryOperator<String> nextId) {
         context.model().renameObstacles(nextId);
         movingObstacle = nextId.apply(movingObstacle);
+        mouse.renameObstacles(nextId);
     }
 
     /** Selects a sensor that is about to be added, and no obstacle, as soon as a frame has it. */

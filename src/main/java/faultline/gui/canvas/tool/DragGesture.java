@@ -9,6 +9,7 @@ import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** One drag, from the press of the button on. It has no effect until the mouse has moved further than a click. */
 public final class DragGesture implements Gesture {
@@ -19,7 +20,7 @@ public final class DragGesture implements Gesture {
     /** The largest number of their corners. */
     private static final int MAX_SEPARATE_CORNERS = 2000;
 
-    private final DragOperation operation;
+    private DragOperation operation;
     private final Vector2 pressed;
     private final CanvasModel model;
     private final Viewport viewport;
@@ -85,6 +86,16 @@ public final class DragGesture implements Gesture {
     public boolean isTargetGone() {
         return !model.obstacleIds()
                 .containsAll(operation.obstacles().stream().map(Obstacle::id).toList());
+    }
+
+    @Override
+    public void renameObstacles(UnaryOperator<String> nextId) {
+        UnaryOperator<Obstacle> named = obstacle -> obstacle.withId(nextId.apply(obstacle.id()));
+        operation = operation.renamed(named);
+        if (preview != null) {
+            List<Obstacle> there = preview.obstacles().stream().map(named).toList();
+            preview = new DragPreview(preview.commands(), there, preview.valueText());
+        }
     }
 
     @Override

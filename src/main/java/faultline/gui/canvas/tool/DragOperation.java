@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 
 /** An operation that computes the changes of a drag from the state at its start and the position of the mouse. */
 public sealed interface DragOperation {
@@ -36,6 +37,11 @@ public sealed interface DragOperation {
     /** Returns the obstacles that the drag needs, in their state at the start. */
     default List<Obstacle> obstacles() {
         return List.of();
+    }
+
+    /** Returns this drag after a change of ids, which gives each obstacle the id that it has now. */
+    default DragOperation renamed(UnaryOperator<Obstacle> named) {
+        return this;
     }
 
     private static List<Command> moveCommands(List<Obstacle> to) {
@@ -71,6 +77,11 @@ public sealed interface DragOperation {
                     Messages.get("value.place", ShapeHandles.formatMetres(to.x()), ShapeHandles.formatMetres(to.y())));
         }
 
+        @Override
+        public DragOperation renamed(UnaryOperator<Obstacle> named) {
+            return new Move(named.apply(grabbed), obstacles.stream().map(named).toList(), grabPoint);
+        }
+
         private static Obstacle movedTo(Obstacle obstacle, Vector2 place) {
             return obstacle.withPose(
                     new Pose(place.x(), place.y(), obstacle.pose().heading()));
@@ -103,6 +114,11 @@ public sealed interface DragOperation {
                     there,
                     Messages.get(obstacles.size() == 1 ? "value.heading" : "value.turn", AngleText.degrees(after, 1)));
         }
+
+        @Override
+        public DragOperation renamed(UnaryOperator<Obstacle> named) {
+            return new Rotate(obstacles.stream().map(named).toList(), grabPoint);
+        }
     }
 
     /**
@@ -116,6 +132,11 @@ public sealed interface DragOperation {
             Obstacle there = ShapeHandles.dragHandle(obstacle, handle, mouse, snap);
             return new DragPreview(
                     List.of(new Command.PlaceObstacle(there)), List.of(there), ShapeHandles.sizeText(there, handle));
+        }
+
+        @Override
+        public DragOperation renamed(UnaryOperator<Obstacle> named) {
+            return new Resize(named.apply(obstacle), handle);
         }
 
         @Override
@@ -134,9 +155,9 @@ public sealed interface DragOperation {
      *
      * @param start the obstacle at the start
      * @param index the index of the waypoint
-     * @param expected the obstacle as it will be after all commands that have been sent
+     * @param expected returns the obstacle as it will be after all commands that have been sent
      */
-    record MoveWaypoint(Obstacle start, int index, Supplier<Obstacle> expected) implements DragOperation {
+    record MoveWaypoint(Obstacle start, int index, UnaryOperator<Obstacle> expected) implements DragOperation {
 
         @Override
         public DragPreview preview(Vector2 mouse, SnapSettings snap) {
@@ -148,13 +169,18 @@ public sealed interface DragOperation {
         }
 
         private Command withWaypoint(Vector2 waypoint) {
-            Obstacle obstacle = expected.get();
+            Obstacle obstacle = expected.apply(start);
             WaypointPath motion = obstacle.motion();
             boolean samePath =
                     motion.waypoints().size() == start.motion().waypoints().size();
             List<Vector2> waypoints = new ArrayList<>((samePath ? motion : start.motion()).waypoints());
             waypoints.set(index, waypoint);
             return new Command.PlaceObstacle(obstacle.withMotion(motion.withWaypoints(waypoints)));
+        }
+
+        @Override
+        public DragOperation renamed(UnaryOperator<Obstacle> named) {
+            return new MoveWaypoint(named.apply(start), index, expected);
         }
 
         @Override

@@ -3,6 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.SnapSettings;
 import faultline.paint.surface.DrawContext;
+import java.util.function.UnaryOperator;
 
 /** The effect of a mouse drag, from the press of the button to its release. */
 public interface Gesture {
@@ -26,6 +27,9 @@ public interface Gesture {
     default boolean isTargetGone() {
         return false;
     }
+
+    /** Follows a change of the ids of obstacles, given what returns the next id for the present one. */
+    default void renameObstacles(UnaryOperator<String> nextId) {}
 
     default void paint(DrawContext context) {}
 }

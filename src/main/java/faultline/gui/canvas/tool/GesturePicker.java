@@ -97,8 +97,7 @@ public final class GesturePicker {
         OptionalInt waypoint =
                 onObstacle ? OptionalInt.empty() : handleAt(obstacle.motion().waypoints(), at);
         return waypoint.isPresent()
-                ? Optional.of(
-                        new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), () -> expectedState(obstacle)))
+                ? Optional.of(new DragOperation.MoveWaypoint(obstacle, waypoint.getAsInt(), this::expectedState))
                 : Optional.empty();
     }
 

@@ -180,6 +180,25 @@ class CanvasMouseTest {
         assertEquals("crate", ((Command.PlaceObstacle) sent.get(0)).obstacle().id());
     }
 
+    /** The press applies an id that was typed, and the run has it a few frames later. */
+    @Test
+    void anObstacleThatIsRenamedMeanwhileIsStillDragged() {
+        Vector2 box = screen(new Vector2(4, 2));
+        mouse(MouseEvent.MOUSE_PRESSED, box, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(9, 0)), MouseEvent.NOBUTTON);
+        runOnEdt(() -> {
+            canvas.tools().renameObstacles(id -> "crate");
+            canvas.setFrame(SampleFrames.frameOf(
+                    new Pose(1, 1, 0),
+                    new Obstacle("crate", new ObstacleShape.RectangleShape(0.8, 0.5), new Pose(4, 2, 0))));
+        });
+        sent.clear();
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(60, 0)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_RELEASED, box.plus(new Vector2(60, 0)), MouseEvent.BUTTON1);
+        assertEquals(1, sent.size());
+        assertEquals("crate", ((Command.MoveObstacle) sent.get(0)).obstacle());
+    }
+
     @Test
     void anObstacleIsResizedWhereTheRunWillPutIt() {
         runOnEdt(() -> {

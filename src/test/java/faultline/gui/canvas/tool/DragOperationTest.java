@@ -157,7 +157,7 @@ class DragOperationTest {
     void aDragOfAWaypointKeepsWhatElseChangesMeanwhile() {
         WaypointPath path = new WaypointPath(0.2, true, List.of(new Vector2(2, 3), new Vector2(5, 3)));
         AtomicReference<Obstacle> expected = new AtomicReference<>(BOX.withMotion(path));
-        DragOperation drag = new DragOperation.MoveWaypoint(expected.get(), 1, expected::get);
+        DragOperation drag = new DragOperation.MoveWaypoint(expected.get(), 1, start -> expected.get());
         WaypointPath faster = new WaypointPath(0.4, true, List.of(new Vector2(2, 4), new Vector2(5, 3)));
         Obstacle changed = BOX.withPose(new Pose(3, 1, 0)).withMotion(faster);
         expected.set(changed);
