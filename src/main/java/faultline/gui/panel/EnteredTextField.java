@@ -11,9 +11,9 @@ import java.util.function.BiFunction;
 import javax.swing.JTextField;
 
 /**
- * A field whose text is applied by Enter, or when the focus leaves the field. If the text is not allowed, a note below
- * the field says why; the text stays until Escape is pressed or the focus leaves the field, which shows the present
- * value again.
+ * A field whose text is applied by Enter, which then selects it, or when the focus leaves the field. If the text is not
+ * allowed, a note below the field says why; the text stays until Escape is pressed or the focus leaves the field, which
+ * shows the present value again.
  */
 public abstract class EnteredTextField extends JTextField implements ControlPanel.PendingField {
 
@@ -67,7 +67,12 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
         super(columns);
         UiText.name(this, key);
         UiText.tip(this, key + ".tip");
-        addActionListener(event -> commitPendingEdit());
+        addActionListener(event -> {
+            commitPendingEdit();
+            if (!isEdited()) {
+                selectAll();
+            }
+        });
         KeyBindings.bind(this, "ESCAPE", this::discardPendingEdit);
         addFocusListener(new FocusAdapter() {
             @Override
@@ -94,6 +99,11 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
     @Override
     public boolean isEdited() {
         return !getText().equals(valueText());
+    }
+
+    /** Returns whether the text is that of the present value and is selected, as it is after Enter has applied it. */
+    public boolean isApplied() {
+        return !isEdited() && getText().equals(getSelectedText());
     }
 
     /** Shows the present value in place of what has been typed, from its beginning unless the field has the focus. */

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.panel.EnteredTextField;
 import faultline.gui.panel.NumberSpinner;
 import java.awt.Component;
 import java.awt.KeyEventDispatcher;
@@ -118,6 +119,7 @@ final class SpaceKeyDispatcher implements KeyEventDispatcher {
                 || focused instanceof JList
                 || focused instanceof JTable
                 || focused instanceof JComboBox<?> box && !box.isPopupVisible()
+                || focused instanceof EnteredTextField entered && entered.isApplied()
                 || focused instanceof JFormattedTextField
                         && SwingUtilities.getAncestorOfClass(NumberSpinner.class, focused)
                                 instanceof NumberSpinner number

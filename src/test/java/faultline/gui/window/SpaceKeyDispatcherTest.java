@@ -5,11 +5,13 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import faultline.gui.panel.EnteredTextField;
 import faultline.gui.panel.NumberSpinner;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -115,6 +117,24 @@ class SpaceKeyDispatcherTest {
         assertEquals(true, pressIn(number.textField(), KeyEvent.VK_SPACE, ' '));
         runOnEdt(() -> number.textField().setText("0."));
         assertEquals(false, pressIn(number.textField(), KeyEvent.VK_SPACE, ' '));
+        assertEquals(List.of("run"), log);
+    }
+
+    @Test
+    void spaceStartsTheRunInAFieldForAnIdAfterEnterHasAppliedIt() {
+        EnteredTextField.IdField field =
+                callOnEdt(() -> new EnteredTextField.IdField("obstacle.id", 8, (id, newId) -> Optional.empty()));
+        runOnEdt(() -> {
+            window.add(field);
+            field.setId("desk");
+            field.setText("table");
+        });
+        assertEquals(false, pressIn(field, KeyEvent.VK_SPACE, ' '));
+        runOnEdt(field::postActionEvent);
+        assertEquals("table", callOnEdt(field::getSelectedText));
+        assertEquals(true, pressIn(field, KeyEvent.VK_SPACE, ' '));
+        runOnEdt(() -> field.setCaretPosition(5));
+        assertEquals(false, pressIn(field, KeyEvent.VK_SPACE, ' '), "an id may contain spaces");
         assertEquals(List.of("run"), log);
     }
 
