@@ -36,19 +36,13 @@ final class TimelineText {
 
     /** Returns the title of a dialog in which an item can be changed; a fault may become another one there. */
     static String dialogTitle(TimelineItem item) {
+        if (item.command() instanceof Command.MoveObstacle move) {
+            // The dialog shows where to.
+            return Messages.get("timeline.move.title", UiText.shortName(move.obstacle()));
+        }
         boolean fault =
                 item.command() instanceof Command.InjectFault || item.command() instanceof Command.InjectMotorFault;
-        return fault ? Messages.get("faults.kind") : title(withShortName(item));
-    }
-
-    /** Returns an item about a moved obstacle with the name that fits into a title. */
-    private static TimelineItem withShortName(TimelineItem item) {
-        return item.command() instanceof Command.MoveObstacle move
-                ? new TimelineItem(
-                        new Command.MoveObstacle(UiText.shortName(move.obstacle()), move.pose()),
-                        item.start(),
-                        item.end())
-                : item;
+        return fault ? Messages.get("faults.kind") : title(item);
     }
 
     /** Returns the name and the times. */

@@ -177,7 +177,7 @@ class TimelineRobotTest {
         Files.writeString(file, Files.readString(file).replace("<expect", "<timeline>" + move + "</timeline><expect"));
         driver = WindowDriver.open(Theme.LIGHT, file);
         new LanesDriver(driver, 10).doubleClick(90);
-        String title = "copier moved to 5.000, 2.000, 0.0°";
+        String title = "copier moved";
         JTextField x = ComponentFinder.find(driver.dialog(title), NumberSpinner.class, "Position x")
                 .textField();
         enterInto(x, KeyEvent.VK_MINUS);
