@@ -117,6 +117,9 @@ class LanguagesTest {
             SwingMessages.install();
             assertEquals("Anuluj", UIManager.getString("OptionPane.cancelButtonText"));
             assertEquals("Otwórz", UIManager.getString("FileChooser.openButtonText"));
+            assertEquals("Nazwa folderu:", UIManager.getString("FileChooser.folderNameLabelText"));
+            assertEquals("Odśwież", UIManager.getString("FileChooser.refreshActionLabelText"));
+            assertEquals("Nie można utworzyć folderu", UIManager.getString("FileChooser.newFolderErrorText"));
             assertEquals(
                     "Wszystkie pliki",
                     new JFileChooser().getAcceptAllFileFilter().getDescription());
