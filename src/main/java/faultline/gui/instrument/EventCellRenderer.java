@@ -7,9 +7,12 @@ import faultline.gui.theme.ThemeColours;
 import faultline.gui.timeline.EventKind;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.FontMetrics;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
 
@@ -35,6 +38,20 @@ final class EventCellRenderer extends DefaultTableCellRenderer {
                         ? icon(events.eventAt(table.convertRowIndexToModel(row)), selected)
                         : null);
         return this;
+    }
+
+    /** Returns the width of the widest kind of event in a table, with its mark, pixels. */
+    static int kindWidth(JTable table) {
+        FontMetrics metrics = table.getFontMetrics(table.getFont());
+        int text = Stream.of(EventKind.values())
+                .mapToInt(kind -> metrics.stringWidth(kind.text()))
+                .max()
+                .orElse(0);
+        return text
+                + 2 * SIDE_PADDING
+                + TextSize.scaled(ICON_SIZE)
+                + new JLabel().getIconTextGap()
+                + table.getIntercellSpacing().width;
     }
 
     private static Icon icon(RunEvent event, boolean selected) {

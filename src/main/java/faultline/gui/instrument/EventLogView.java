@@ -149,9 +149,11 @@ public final class EventLogView extends JPanel {
         for (int i = 0; i < COLUMN_WIDTHS.length; i++) {
             TableColumn column = table.getColumnModel().getColumn(i);
             column.setHeaderValue(events.getColumnName(i));
+            int min = TextSize.scaled(MIN_COLUMN_WIDTHS[i]);
+            column.setMinWidth(
+                    i == EventTableModel.KIND_COLUMN ? Math.max(min, EventCellRenderer.kindWidth(table)) : min);
             if (resized) {
                 boolean last = i == COLUMN_WIDTHS.length - 1;
-                column.setMinWidth(TextSize.scaled(MIN_COLUMN_WIDTHS[i]));
                 column.setMaxWidth(last ? Integer.MAX_VALUE : TextSize.scaled(2 * COLUMN_WIDTHS[i]));
                 column.setPreferredWidth(TextSize.scaled(COLUMN_WIDTHS[i]));
             }

@@ -11,6 +11,10 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.TextSize;
 import faultline.gui.timeline.EventKind;
 import faultline.gui.timeline.EventText;
 import faultline.robot.MotorFaults;
@@ -21,6 +25,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Component;
+import java.awt.Font;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -110,6 +115,33 @@ class EventLogViewTest {
         Component boxes = box.getParent().getParent();
         assertEquals(boxes.getPreferredSize().width, callOnEdt(() -> boxes.getParent()
                 .getWidth()));
+    }
+
+    @Test
+    void theKindsAreNotCutOffInAnyTextSizeAndLanguage() {
+        runOnEdt(() -> {
+            for (Language language : Language.values()) {
+                Messages.setLanguage(language);
+                for (TextSize size : TextSize.values()) {
+                    size.install();
+                    view.table().setFont(TextSize.scaledFont(Font.PLAIN, 15));
+                    RefreshSteps.run(view.table());
+                    view.setFrame(SampleRuns.frame(2000));
+                    int least = view.table().getColumnModel().getColumn(1).getMinWidth();
+                    for (int row = 0; row < view.table().getRowCount(); row++) {
+                        Component cell =
+                                view.table().prepareRenderer(view.table().getCellRenderer(row, 1), row, 1);
+                        assertTrue(
+                                cell.getPreferredSize().width < least,
+                                size + ": " + view.table().getValueAt(row, 1));
+                    }
+                }
+            }
+        });
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.ENGLISH);
+            TextSize.NORMAL.install();
+        });
     }
 
     private void show(String group, boolean shown) {
