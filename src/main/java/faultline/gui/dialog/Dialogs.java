@@ -1,5 +1,7 @@
 package faultline.gui.dialog;
 
+import faultline.engine.RunFailedException;
+import faultline.external.ControllerProblem;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
@@ -93,12 +95,22 @@ public final class Dialogs {
 
     /** Returns the sentence that says why a task failed. */
     static String failureText(TaskKind task, Path file, Throwable cause) {
-        return Messages.get("failed." + task, FileNames.lastOf(file), ErrorMessages.describe(cause, file));
+        return Messages.get("failed." + task, FileNames.lastOf(file), reasonText(file, cause));
+    }
+
+    /** Returns the reason of a failure; what a controller wrote on standard error has its lines, as in a traceback. */
+    private static String reasonText(Path file, Throwable cause) {
+        if (cause instanceof RunFailedException failed && failed.reason().template() == ControllerProblem.LAST_LINES) {
+            List<Object> parts = failed.reason().arguments();
+            String before = ('\n' + parts.get(2).toString()).replace(" | ", "\n");
+            return Messages.get(ControllerProblem.LAST_LINES.with(parts.get(0), parts.get(1), before));
+        }
+        return ErrorMessages.describe(cause, file);
     }
 
     /** Shows why the chosen controller does not start, so that a scenario opens with its own. */
     public void showControllerFailure(Path file, Throwable cause) {
-        String text = Messages.get("chooseController.failed", FileNames.lastOf(file), ErrorMessages.describe(cause));
+        String text = Messages.get("chooseController.failed", FileNames.lastOf(file), reasonText(file, cause));
         JOptionPane.showMessageDialog(
                 owner, TextWrap.wrap(text), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
     }

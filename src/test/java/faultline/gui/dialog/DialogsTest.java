@@ -2,6 +2,8 @@ package faultline.gui.dialog;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.engine.RunFailedException;
+import faultline.external.ControllerProblem;
 import faultline.gui.document.TaskKind;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -18,6 +20,20 @@ class DialogsTest {
         assertEquals(
                 "room.xml cannot be opened: this is a folder.",
                 Dialogs.failureText(TaskKind.OPEN, root.resolve("room.xml"), cause));
+    }
+
+    @Test
+    void aTracebackHasItsLines() {
+        Throwable cause = new RunFailedException(
+                ControllerProblem.LAST_LINES.with(
+                        "it has stopped", "NameError: gain", "Traceback (most recent call last): | line 3, in drive"),
+                null);
+        String text = "room.xml cannot be restarted: it has stopped; its last line on standard error: NameError: gain;"
+                + " the lines before:\nTraceback (most recent call last):\nline 3, in drive";
+        assertEquals(
+                text,
+                Dialogs.failureText(TaskKind.RESTART, Path.of("room.xml"), cause)
+                        .replace(": \n", ":\n"));
     }
 
     @Test
