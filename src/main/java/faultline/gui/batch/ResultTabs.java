@@ -9,8 +9,11 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.IntConsumer;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
@@ -31,6 +34,7 @@ final class ResultTabs {
     private final ResultTable cellTable;
     private final ResultTable runTable;
     private final HistogramView histogram;
+    private final List<ShownRunsBar> bars;
     private final int firstTab;
     private List<CampaignCell> cells = List.of();
     /** Whether more rows of runs will be added when other events have been handled. */
@@ -51,9 +55,12 @@ final class ResultTabs {
         runTable = new ResultTable("batch.tab.runs", results.runColumns(), onOpen);
         histogram = new HistogramView(quantity -> results.numbers(quantity.column(), selectedRuns()));
         cellTable.getSelectionModel().addListSelectionListener(this::cellSelected);
-        addTab("batch.tab.cells", new JScrollPane(cellTable));
-        addTab("batch.tab.runs", new JScrollPane(runTable));
-        addTab("batch.tab.histogram", histogram);
+        addTab("batch.tab.cells", scrolled(cellTable));
+        bars = List.of(
+                ShownRunsBar.below(scrolled(runTable), this::showAllRuns),
+                ShownRunsBar.below(histogram, this::showAllRuns));
+        addTab("batch.tab.runs", (JComponent) bars.get(0).getParent());
+        addTab("batch.tab.histogram", (JComponent) bars.get(1).getParent());
         histogram.update();
         RefreshSteps.add(runTable, table -> table.setRows(runRows(0, table.allRowCount())));
         RefreshSteps.add(
@@ -78,10 +85,13 @@ final class ResultTabs {
     }
 
     private void addTab(String key, JComponent view) {
-        if (view instanceof JScrollPane scroll) {
-            scroll.setBorder(new FocusRing.FocusBorder(false));
-        }
         UiText.addTab(tabs, key, view);
+    }
+
+    private static JScrollPane scrolled(ResultTable table) {
+        JScrollPane scroll = new JScrollPane(table);
+        scroll.setBorder(new FocusRing.FocusBorder(false));
+        return scroll;
     }
 
     void remove() {
@@ -112,12 +122,35 @@ final class ResultTabs {
             filterRuns();
             histogram.update();
         }
+        updateBars();
+    }
+
+    /** Says which runs show, if not all of them. */
+    private void updateBars() {
+        OptionalInt selected = cellTable.selectedIndex();
+        if (selected.isEmpty()) {
+            bars.forEach(bar -> bar.setVisible(false));
+            return;
+        }
+        CampaignCell cell = cells.get(selected.getAsInt());
+        String labels = results.cellRow(cell).stream()
+                .limit(cell.labels().size())
+                .map(ResultCell::text)
+                .filter(Predicate.not(String::isEmpty))
+                .collect(Collectors.joining(", "));
+        bars.forEach(bar -> bar.showRow(labels, cell.runs().size(), results.size()));
+    }
+
+    private void showAllRuns() {
+        cellTable.clearSelection();
+        focusTable();
     }
 
     private void cellSelected(ListSelectionEvent event) {
         if (!event.getValueIsAdjusting()) {
             filterRuns();
             histogram.update();
+            updateBars();
         }
     }
 

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
@@ -17,6 +18,8 @@ import faultline.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import org.junit.jupiter.api.AfterEach;
@@ -133,6 +136,38 @@ class ResultTabsTest {
         assertEquals(
                 List.of("bez uszkodzenia", "bez uszkodzenia", "zacięty"),
                 List.of(text(0, 0, 0), text(1, 0, 2), text(1, 1, 2)));
+    }
+
+    /** Without a word, a few runs looked like all of them. */
+    @Test
+    void theRunsOfTheSelectedCellAreSaidToBeSomeAndAllCanBeShown() throws Exception {
+        BatchRun run = twoRuns();
+        runOnEdt(() -> {
+            BatchResults results = new BatchResults(run.planOrNull());
+            ResultTabs shown = new ResultTabs(tabs, results, row -> {});
+            for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+                results.add(row);
+            }
+            shown.update(run.cells());
+            for (int tab : new int[] {1, 2}) {
+                ShownRunsBar bar = ComponentFinder.findAll(tabs.getComponentAt(tab), ShownRunsBar.class)
+                        .findFirst()
+                        .orElseThrow();
+                assertFalse(bar.isVisible());
+                table(0).setRowSelectionInterval(0, 0);
+                assertTrue(bar.isVisible());
+                assertEquals(
+                        "Runs of \"no fault\", the selected row of the summary: 1 of 2",
+                        ComponentFinder.findAll(bar, JLabel.class)
+                                .findFirst()
+                                .orElseThrow()
+                                .getText());
+                ComponentFinder.find(bar, JButton.class, "Show all").doClick(0);
+                assertFalse(bar.isVisible());
+                assertEquals(2, table(1).getRowCount());
+            }
+        });
+        run.delete();
     }
 
     @Test
