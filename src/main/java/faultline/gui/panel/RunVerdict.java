@@ -4,6 +4,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.gui.text.ContactText;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.FaultText;
@@ -110,7 +111,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     }
 
     private static String collisionText(Collision collision) {
-        return Messages.get(
+        return ContactText.get(
                 "verdict.collided",
                 collision.obstacle(),
                 NumberText.format("%.3f", collision.time()),

@@ -7,6 +7,7 @@ import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.FormDialog.FormProblem;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
+import faultline.gui.text.ContactText;
 import faultline.gui.text.Messages;
 import faultline.io.DecimalText;
 import faultline.scenario.Scenario;
@@ -109,7 +110,7 @@ final class PropertiesForm extends JPanel {
     static Optional<String> findObstruction(Scenario scenario) {
         SimulationSetup setup = scenario.setup();
         return Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
-                .map(obstacle -> Messages.get("refused.start", obstacle));
+                .map(obstacle -> ContactText.get("refused.start", obstacle));
     }
 
     private OptionalLong typedSeed() {

@@ -12,7 +12,10 @@ public final class RefusalText {
         String subject = refusal.reason() == Refusal.Reason.UNKNOWN_MOTOR_FAULT
                 ? Messages.get("motors." + refusal.subject())
                 : refusal.subject();
-        return Messages.get(key(refusal.reason()), subject);
+        String key = key(refusal.reason());
+        return refusal.reason() == Refusal.Reason.PLATFORM_OVERLAPS
+                ? ContactText.get(key, subject)
+                : Messages.get(key, subject);
     }
 
     private static String key(Refusal.Reason reason) {

@@ -1,6 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.engine.recording.RunEvent;
+import faultline.gui.text.ContactText;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
@@ -31,7 +32,7 @@ public final class EventText {
                 executed -> CommandText.format(executed.command()),
                 refused -> Messages.get(
                         "event.refusal", CommandText.format(refused.command()), RefusalText.format(refused.refusal())),
-                collided -> Messages.get(
+                collided -> ContactText.get(
                         "event.collided",
                         collided.collision().obstacle(),
                         NumberText.format("%.3f", collided.collision().point().x()),

@@ -182,10 +182,10 @@ class PropertiesTest {
             assertEquals(0.02, form.properties().dt());
             NumberSpinner x = ComponentFinder.find(form, NumberSpinner.class, "Start x, m");
             x.setValue(20.0);
-            assertEquals("The robot cannot start there: it would overlap enclosure", sentence(form, room));
+            assertEquals("The robot cannot start there: it would overlap the enclosing wall", sentence(form, room));
             x.setWorldValue(room.setup().start().x());
             ComponentFinder.find(form, JSpinner.class, "Width, m").setValue(1.05);
-            assertTrue(sentence(form, room).contains("enclosure"));
+            assertTrue(sentence(form, room).contains("the enclosing wall"));
         });
     }
 

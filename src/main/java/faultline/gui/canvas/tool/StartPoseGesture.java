@@ -5,6 +5,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.text.AngleText;
+import faultline.gui.text.ContactText;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
@@ -59,7 +60,7 @@ public final class StartPoseGesture implements Gesture {
         if (startPose != null) {
             PlacementCheck.findObstruction(world, startPose)
                     .ifPresentOrElse(
-                            obstacle -> listeners.fireNote(Messages.get("refused.start", obstacle), now -> now.pose()
+                            obstacle -> listeners.fireNote(ContactText.get("refused.start", obstacle), now -> now.pose()
                                     .equals(world.pose())),
                             () -> listeners.fireStartRequested(startPose));
         }
@@ -71,7 +72,8 @@ public final class StartPoseGesture implements Gesture {
             Optional<String> obstructing = PlacementCheck.findObstruction(world, startPose);
             InteractionPainter.paintRobotPreview(context, world.robot(), startPose, obstructing.isPresent());
             obstructing.ifPresentOrElse(
-                    id -> InteractionPainter.paintRefusal(context, Messages.get("refused.start", id), List.of(), last),
+                    id -> InteractionPainter.paintRefusal(
+                            context, ContactText.get("refused.start", id), List.of(), last),
                     () -> InteractionPainter.paintValues(context, poseText(startPose), List.of(), last));
         }
     }
