@@ -251,11 +251,12 @@ final class CommandHandler {
     private CommandResult setPlatform(Command.SetPlatform command) {
         RobotSpec old = body.spec();
         if (command.length() > old.length() || command.width() > old.width()) {
-            // A platform that shrank after a contact may get its size back.
-            Optional<String> overlapped =
-                    obstacles.findOverlapped(new OrientedBox(body.pose(), command.length(), command.width()));
-            if (overlapped.isPresent()) {
-                return refused(command, Reason.PLATFORM_OVERLAPS, overlapped.get());
+            OrientedBox box = new OrientedBox(body.pose(), command.length(), command.width());
+            // A platform that has touched something and has shrunk since may get its size back.
+            Optional<String> obstruction =
+                    motionStep.hasCollided() ? obstacles.findOverlapped(box) : obstacles.findObstruction(box);
+            if (obstruction.isPresent()) {
+                return refused(command, Reason.PLATFORM_OVERLAPS, obstruction.get());
             }
         }
         updateRobot(command.appliedTo(old));

@@ -51,6 +51,11 @@ final class MotionStep {
         freeTravel.invalidate();
     }
 
+    /** Returns whether the robot has touched something, so that it may still touch it. */
+    boolean hasCollided() {
+        return collided || !contacts.isEmpty();
+    }
+
     /** Returns the first contact of the run, once, after it was made. */
     Optional<Contact> pollContact() {
         if (contacts.isEmpty()) {

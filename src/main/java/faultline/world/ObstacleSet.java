@@ -213,6 +213,11 @@ final class ObstacleSet {
         return new OrientedBox(body.frame(), body.halfLength() - rounding, body.halfWidth() - rounding);
     }
 
+    /** Returns the id of the first obstacle that a body touches or overlaps. */
+    Optional<String> findObstruction(OrientedBox body) {
+        return findObstruction(spec, obstacles(), body);
+    }
+
     /** Returns the id of the first obstacle that a body overlaps by more than a bound of the rounding errors. */
     Optional<String> findOverlapped(OrientedBox body) {
         return findObstruction(spec, obstacles(), withoutRounding(body));
