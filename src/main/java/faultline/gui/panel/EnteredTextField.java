@@ -74,6 +74,7 @@ public abstract class EnteredTextField extends JTextField implements ControlPane
             }
         });
         KeyBindings.bind(this, "ESCAPE", this::discardPendingEdit);
+        KeyBindings.bind(this, "menu Z", this::isEdited, this::discardPendingEdit);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {

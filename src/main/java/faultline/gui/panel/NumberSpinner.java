@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
 import faultline.io.MessageText;
 import java.awt.Component;
@@ -136,6 +137,7 @@ public final class NumberSpinner extends JSpinner implements ControlPanel.Pendin
                 }
             }
         });
+        KeyBindings.bind(text, "menu Z", this::isEdited, this::discardPendingEdit);
         // A space would replace the text if it is selected, and has no meaning in a number.
         text.getInputMap().put(KeyStroke.getKeyStroke(' '), "none");
         // As when the field gets the focus, so that the next number replaces this one.

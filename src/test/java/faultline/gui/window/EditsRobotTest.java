@@ -111,18 +111,24 @@ class EditsRobotTest {
     @Test
     void undoFirstTakesBackWhatIsTypedInAField() {
         State first = state();
+        typeAndUndo();
+        assertEquals(first, state());
         driver.robot().pressKeys(KeyEvent.VK_1);
         driver.waitForFrame("a sensor is switched", frame -> !State.of(frame).equals(first));
         State switched = state();
+        typeAndUndo();
+        assertEquals(switched, state());
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        driver.waitForFrame("the sensor is on again", frame -> State.of(frame).equals(first));
+    }
+
+    private void typeAndUndo() {
         JTextField range = ComponentFinder.find(driver.window(), JTextField.class, "Range of left, metres");
         String text = callOnEdt(range::getText);
         driver.typeInto("Range of left, metres", KeyEvent.VK_5);
         driver.robot().waitFor("the digit", () -> range.getText().equals("5"));
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         driver.robot().waitFor("the text before", () -> range.getText().equals(text));
-        assertEquals(switched, state());
-        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
-        driver.waitForFrame("the sensor is on again", frame -> State.of(frame).equals(first));
     }
 
     private void pressRepeatedly(int times, int... keys) {
