@@ -4,9 +4,11 @@ import faultline.engine.Frame;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.paint.export.AnimatedGifWriter;
+import faultline.paint.export.FilmBounds;
 import faultline.paint.export.FilmRenderer;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.surface.Palette;
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -20,6 +22,7 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
 
     private final AnimatedGifWriter gif;
     private final FilmRenderer renderer = new FilmRenderer();
+    private final FilmBounds bounds = new FilmBounds();
 
     /** Creates a recorder; the stream is not closed. */
     FilmRecorder(OutputStream out) throws IOException {
@@ -35,10 +38,9 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
         }
         Frame frame = simulation.frame();
         try {
-            gif.addFrame(
-                    renderer.render(
-                            FrameRenderer.request(frame, Palette.LIGHT, WIDTH, FrameRenderer.heightFor(frame, WIDTH))),
-                    delay);
+            Rectangle2D shown = bounds.next(FrameRenderer.bounds(frame.snapshot()));
+            int height = FrameRenderer.heightFor(frame, WIDTH);
+            gif.addFrame(renderer.render(FrameRenderer.request(frame, shown, Palette.LIGHT, WIDTH, height)), delay);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

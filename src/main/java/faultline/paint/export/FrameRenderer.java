@@ -54,6 +54,14 @@ public final class FrameRenderer {
                 bounds.add(path.x(i), path.y(i));
             }
         }
+        return request(frame, bounds, palette, width, height);
+    }
+
+    /**
+     * Returns the description of the picture of a part of the world, given its bounds, metres, with the default layers;
+     * sizes in pixels, positive.
+     */
+    public static RenderRequest request(Frame frame, Rectangle2D bounds, Palette palette, int width, int height) {
         return new RenderRequest(frame, Camera.fit(bounds, MARGIN, width, height), palette, Layer.defaults());
     }
 
@@ -90,8 +98,8 @@ public final class FrameRenderer {
                 .getBounds2D();
     }
 
-    /** Returns the bounds of the world and of everything outside of it, the robot included. */
-    private static Rectangle2D bounds(Snapshot world) {
+    /** Returns the bounds of the world and of everything outside of it, the robot included, metres. */
+    public static Rectangle2D bounds(Snapshot world) {
         Rectangle2D bounds = new Rectangle2D.Double(0, 0, world.width(), world.height());
         for (Obstacle obstacle : world.obstacles()) {
             if (!isWithin(bounds, obstacle)) {
