@@ -10,11 +10,11 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
@@ -22,7 +22,6 @@ import org.junit.jupiter.api.condition.OS;
 @EnabledOnOs(
         value = {OS.LINUX, OS.MAC},
         disabledReason = "the children of this test are shell scripts")
-@Timeout(300)
 class BadChildTest {
 
     private static final String READY = "echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"child\"}';";
@@ -133,7 +132,7 @@ class BadChildTest {
         List<DynamicTest> tests = new ArrayList<>();
         for (Case next : cases) {
             Future<?> result = runs.submit(next::check);
-            tests.add(DynamicTest.dynamicTest(next.sentence(), result::get));
+            tests.add(DynamicTest.dynamicTest(next.sentence(), () -> result.get(300, TimeUnit.SECONDS)));
         }
         return tests.stream();
     }

@@ -21,6 +21,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import javax.swing.JCheckBox;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -113,7 +114,7 @@ class EditsRobotTest {
         State first = state();
         typeAndUndo();
         assertEquals(first, state());
-        driver.robot().pressKeys(KeyEvent.VK_1);
+        driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Switch left on or off"));
         driver.waitForFrame("a sensor is switched", frame -> !State.of(frame).equals(first));
         State switched = state();
         typeAndUndo();
