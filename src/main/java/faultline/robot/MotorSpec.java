@@ -56,13 +56,12 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
     }
 
     /**
-     * {@return the voltage, not limited to the supply but finite, that holds a wheel speed given in metres per second}
+     * {@return the voltage, not limited, that holds a wheel speed given in metres per second}
      *
-     * @param speed the wheel speed, in metres per second, finite
+     * @param speed the wheel speed, in metres per second
      */
     public double voltageFor(double speed) {
-        double volts = speed / speedConstant;
-        return Double.isInfinite(volts) ? Math.copySign(Double.MAX_VALUE, volts) : volts;
+        return speed / speedConstant;
     }
 
     /**

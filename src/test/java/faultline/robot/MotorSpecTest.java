@@ -50,14 +50,6 @@ class MotorSpecTest {
         assertEquals(0.3, motor.step(0.3, motor.voltageFor(0.3), motor.decay(0.01)), 1e-15);
     }
 
-    @Test
-    void theVoltageForASpeedIsFiniteHoweverSlowTheMotorIs() {
-        MotorSpec slow = new MotorSpec(0.05, 1e-310, 6);
-        assertEquals(Double.MAX_VALUE, slow.voltageFor(0.3));
-        assertEquals(-Double.MAX_VALUE, slow.voltageFor(-0.3));
-        assertEquals(0, slow.voltageFor(0));
-    }
-
     @ParameterizedTest
     @CsvSource({"-0.1, 0.1, 6", "NaN, 0.1, 6", "0.05, 0, 6", "0.05, Infinity, 6", "0.05, 0.1, 0", "0.05, 0.1, NaN"})
     void anInvalidMotorIsRejected(double timeConstant, double speedConstant, double maxVoltage) {
