@@ -116,17 +116,20 @@ class ResultTabsTest {
         assertFalse(new BatchResults(plan).runColumns().contains("fault_end_s"));
     }
 
+    /** Shows the results of all runs that a batch has made. */
+    private void show(BatchRun run) {
+        BatchResults results = new BatchResults(run.planOrNull());
+        ResultTabs shown = new ResultTabs(tabs, results, row -> {});
+        for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+            results.add(row);
+        }
+        shown.update(run.cells());
+    }
+
     @Test
     void aChangeOfTheLanguageTranslatesTheResults() throws Exception {
         BatchRun run = twoRuns();
-        runOnEdt(() -> {
-            BatchResults results = new BatchResults(run.planOrNull());
-            ResultTabs shown = new ResultTabs(tabs, results, row -> {});
-            for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
-                results.add(row);
-            }
-            shown.update(run.cells());
-        });
+        runOnEdt(() -> show(run));
         run.delete();
         assertEquals(List.of("no fault", "no fault", "stuck"), List.of(text(0, 0, 0), text(1, 0, 2), text(1, 1, 2)));
         runOnEdt(() -> {
@@ -143,12 +146,7 @@ class ResultTabsTest {
     void theRunsOfTheSelectedCellAreSaidToBeSomeAndAllCanBeShown() throws Exception {
         BatchRun run = twoRuns();
         runOnEdt(() -> {
-            BatchResults results = new BatchResults(run.planOrNull());
-            ResultTabs shown = new ResultTabs(tabs, results, row -> {});
-            for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
-                results.add(row);
-            }
-            shown.update(run.cells());
+            show(run);
             for (int tab : new int[] {1, 2}) {
                 ShownRunsBar bar = ComponentFinder.findAll(tabs.getComponentAt(tab), ShownRunsBar.class)
                         .findFirst()
