@@ -199,6 +199,7 @@ class FloorsTest {
             util/Strings.java        | class Strings {}                        | is in no declared package
             Loose.java               | class Loose {}                          | is in no declared package
             paint/scene/ScenePainter.java       | import javax.swing.JComponent;          | may not use javax.swing
+            gui/change/Rename.java | import javax.swing.JComponent;          | may not use javax.swing
             engine/session/Session.java      | import java.awt.event.ActionEvent;      | may not use java.awt.event
             engine/Simulation.java   | long t = System.nanoTime();             | may not use System.nanoTime
             control/Follower.java    | Thread.sleep(1);                        | may not use Thread.sleep

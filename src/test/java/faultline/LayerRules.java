@@ -42,6 +42,7 @@ final class LayerRules {
             "gui.text",
             "gui.theme",
             "gui.settings",
+            "gui.change",
             "gui.document",
             "gui.edit",
             "gui.canvas.cache",
@@ -108,7 +109,8 @@ final class LayerRules {
                 .filter(other -> !isAllowed(layer, other))
                 .forEach(other -> violations.add(path + " may not use faultline." + other));
         boolean isModel = layer < PACKAGE_ORDER.indexOf("scenario.xml");
-        check(SWING_USE, layer < PACKAGE_ORDER.indexOf("gui.text"), path, code, violations);
+        boolean isWithoutSwing = layer < PACKAGE_ORDER.indexOf("gui.text") || ownPackage.equals("gui.change");
+        check(SWING_USE, isWithoutSwing, path, code, violations);
         check(CLOCK_USE, isModel && !CLOCK_USERS.contains(path), path, code, violations);
         check(INEXACT_MATHS, isModel, path, code, violations);
         check(RANDOMNESS, isModel && !path.equals(RANDOM_NAMES), path, code, violations);

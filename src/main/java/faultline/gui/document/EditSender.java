@@ -1,5 +1,7 @@
 package faultline.gui.document;
 
+import faultline.gui.change.EditedSetup;
+import faultline.gui.change.LaterChange;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.awt.EventQueue;

@@ -3,6 +3,8 @@ package faultline.gui.document;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.geometry.Pose;
+import faultline.gui.change.LaterChange;
+import faultline.gui.change.Rename;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;

@@ -3,6 +3,8 @@ package faultline.gui.document;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionView;
+import faultline.gui.change.ObstacleOrigins;
+import faultline.gui.change.SensorReference;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.world.Command;

@@ -1,8 +1,8 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.LaterChange;
-import faultline.gui.document.Rename;
-import faultline.gui.document.TimelineEvents;
+import faultline.gui.change.LaterChange;
+import faultline.gui.change.Rename;
+import faultline.gui.change.TimelineEvents;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
 import faultline.world.CommandResult;
 import java.util.List;
 

@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.LaterChange;
-import faultline.gui.document.Rename;
+import faultline.gui.change.LaterChange;
+import faultline.gui.change.Rename;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;

@@ -1,9 +1,9 @@
 package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
+import faultline.gui.change.TimelineEvents;
 import faultline.gui.document.RunController;
-import faultline.gui.document.TimelineEvents;
 import faultline.scenario.Scenario;
 import faultline.world.CommandResult;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
 import faultline.gui.document.Workspace;
 import faultline.gui.text.Messages;
 import faultline.scenario.xml.AttributeReader;

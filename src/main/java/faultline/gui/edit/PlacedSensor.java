@@ -2,7 +2,7 @@ package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.document.SensorReference;
+import faultline.gui.change.SensorReference;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;

@@ -2,7 +2,7 @@ package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
 import faultline.gui.document.RunController;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;

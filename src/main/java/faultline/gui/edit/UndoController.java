@@ -2,8 +2,8 @@ package faultline.gui.edit;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.document.LaterChange;
-import faultline.gui.document.Rename;
+import faultline.gui.change.LaterChange;
+import faultline.gui.change.Rename;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;

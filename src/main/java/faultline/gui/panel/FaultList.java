@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.document.TimelineEvents;
+import faultline.gui.change.TimelineEvents;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;

@@ -20,6 +20,7 @@ import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
+import faultline.gui.change.Rename;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.WorldSpec;

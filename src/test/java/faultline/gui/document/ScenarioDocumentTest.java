@@ -15,6 +15,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.change.Rename;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import faultline.geometry.Pose;
-import faultline.gui.document.LaterChange;
-import faultline.gui.document.Rename;
-import faultline.gui.document.SensorReference;
+import faultline.gui.change.LaterChange;
+import faultline.gui.change.Rename;
+import faultline.gui.change.SensorReference;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;

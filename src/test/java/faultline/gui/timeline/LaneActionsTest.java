@@ -12,7 +12,7 @@ import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.Keystrokes;
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;

@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.Rename;
+import faultline.gui.change.Rename;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.KeyBindings;
 import faultline.sensor.Fault;

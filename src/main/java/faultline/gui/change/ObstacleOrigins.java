@@ -1,4 +1,4 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  * Finds where the obstacles of a setup come from: they are there from the start, or a command of the timeline places
  * them.
  */
-final class ObstacleOrigins {
+public final class ObstacleOrigins {
 
     private static final NavigableMap<ExecutionPoint, Origin> NONE = new TreeMap<>();
 
@@ -107,12 +107,12 @@ final class ObstacleOrigins {
     }
 
     /** Returns the id of the obstacle that a command is about; empty if it is about something else. */
-    static Optional<String> subject(Command command) {
+    public static Optional<String> subject(Command command) {
         return command.match(SUBJECT);
     }
 
     /** Returns the ids of the obstacles of a setup, at the start and on its timeline. */
-    static Set<String> idsIn(SimulationSetup setup) {
+    public static Set<String> idsIn(SimulationSetup setup) {
         return Stream.concat(
                         setup.world().obstacles().stream().map(Obstacle::id),
                         setup.timeline().stream().flatMap(timed -> subject(timed.command()).stream()))

@@ -1,4 +1,4 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
@@ -27,7 +27,7 @@ import java.util.stream.Stream;
  * <p>A change of an obstacle that the timeline places holds from then on. The timeline's commands about an obstacle
  * that has been removed are hidden until it is placed again.
  */
-final class SetupEditor {
+public final class SetupEditor {
 
     /** The setup before the commands, with the hidden commands in its timeline. */
     private final SimulationSetup base;
@@ -68,7 +68,7 @@ final class SetupEditor {
         }
     }
 
-    SetupEditor(SimulationSetup setup) {
+    public SetupEditor(SimulationSetup setup) {
         this.base = setup;
         this.baseObstacles = new EditedObstacles(setup);
         this.baseReversals = Map.of();
@@ -139,7 +139,7 @@ final class SetupEditor {
      * Applies an executed command. Commands that the run had not executed at that time are dropped, and so is a command
      * about a sensor that has been removed while the run was busy with the command.
      */
-    void add(CommandResult result) {
+    public void add(CommandResult result) {
         add(result.tick(), EditedSetup.withoutSwitch(result), result);
     }
 
@@ -148,7 +148,7 @@ final class SetupEditor {
      * command, null for none. If it has executed none, later commands of the run remain, except for what undoes or
      * redoes the same change there without the run.
      */
-    void add(long tick, CommandResult change, CommandResult executed) {
+    public void add(long tick, CommandResult change, CommandResult executed) {
         if (!SensorReference.isOn(edited.robot(), change.command())) {
             return;
         }
@@ -166,7 +166,7 @@ final class SetupEditor {
     }
 
     /** Follows the run to another tick, where the commands for the next one have been executed. */
-    void moveTo(long tick) {
+    public void moveTo(long tick) {
         moveTo(tick + 1, 0);
     }
 
@@ -178,7 +178,7 @@ final class SetupEditor {
     }
 
     /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
-    SimulationSetup setup() {
+    public SimulationSetup setup() {
         return edited.withTimeline(timeline());
     }
 
@@ -186,7 +186,7 @@ final class SetupEditor {
      * Returns the timeline with the commands that belong to a time. Commands that changed nothing are omitted, those of
      * one tick that cancel each other, and the hidden commands.
      */
-    List<TimedCommand> timeline() {
+    public List<TimedCommand> timeline() {
         List<TimedCommand> result = new ArrayList<>(edited.obstacles().timeline());
         events().forEach(event -> result.add(timedCommand(event)));
         return result;
@@ -201,17 +201,17 @@ final class SetupEditor {
     }
 
     /** Returns the timeline before the executed commands, without what was hidden then. */
-    List<TimedCommand> initialTimeline() {
+    public List<TimedCommand> initialTimeline() {
         return baseObstacles.timeline();
     }
 
     /** Returns the setup before the executed commands, without what was hidden then. */
-    SimulationSetup initialSetup() {
+    public SimulationSetup initialSetup() {
         return base.withTimeline(initialTimeline());
     }
 
     /** Returns an editor of the edited setup, without edits, that hides the same commands and can undo the edits. */
-    SetupEditor restarted(SimulationSetup newSetup) {
+    public SetupEditor restarted(SimulationSetup newSetup) {
         Map<UndoCommand, Reversal> all = new HashMap<>(baseReversals);
         reversals.forEach((undo, reversal) -> all.merge(undo, reversal, (earlier, later) -> later.after(earlier)));
         return restarted(newSetup, all);
@@ -225,7 +225,7 @@ final class SetupEditor {
      * Returns an editor of a setup with the executed commands and changes that redo or undo edits of an earlier run. It
      * has no executed commands, except for events.
      */
-    SetupEditor withEarlierChanges(List<CommandResult> changes, boolean redone) {
+    public SetupEditor withEarlierChanges(List<CommandResult> changes, boolean redone) {
         SetupEditor earlier = new SetupEditor(this);
         earlier.reset();
         // These undo each other, except for those about a sensor that has been deleted and restored in between.
@@ -251,7 +251,7 @@ final class SetupEditor {
      * Returns an editor of another setup with the executed commands, except for those about sensors and obstacles that
      * the other setup lacks, what undoes or redoes these, and events that are not on its timeline.
      */
-    SetupEditor rebased(SimulationSetup newSetup) {
+    public SetupEditor rebased(SimulationSetup newSetup) {
         List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
         SetupEditor result = rebased(newSetup, timeline, events);
@@ -263,12 +263,12 @@ final class SetupEditor {
     }
 
     /** Returns whether an event of the run is, or was before a change of the setup, later than a tick. */
-    boolean hasEventsAfter(long tick) {
+    public boolean hasEventsAfter(long tick) {
         return lastRemovedEvent > tick || events().stream().anyMatch(event -> event.tick() > tick);
     }
 
     /** Returns an editor of the same setup in which all events of the run are commands of the timeline. */
-    SetupEditor withEventsOnTimeline() {
+    public SetupEditor withEventsOnTimeline() {
         return rebased(base, edited.obstacles().withoutEdits(timeline()), Set.of());
     }
 
@@ -303,12 +303,12 @@ final class SetupEditor {
     }
 
     /** Returns an editor whose setup and executed commands have another id of a sensor or an obstacle. */
-    SetupEditor renamed(Rename rename) {
+    public SetupEditor renamed(Rename rename) {
         return new SetupEditor(this, rename);
     }
 
     /** Returns the executed commands, including those that are later than the tick of a moved run. */
-    List<Journal.Entry> entries() {
+    public List<Journal.Entry> entries() {
         return entries.stream()
                 .flatMap(entry -> Stream.ofNullable(entry.executed()))
                 .map(result -> new Journal.Entry(result.tick(), result.command()))

@@ -1,4 +1,4 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
@@ -42,7 +42,7 @@ public record Rename(Renamed kind, String before, String after) {
         return new Rename(Renamed.OBSTACLE, before, after);
     }
 
-    boolean isOfSensor() {
+    public boolean isOfSensor() {
         return kind == Renamed.SENSOR;
     }
 
@@ -60,7 +60,7 @@ public record Rename(Renamed kind, String before, String after) {
     }
 
     /** Returns an id after this change, given the one before. */
-    String rename(String id) {
+    public String rename(String id) {
         if (id.equals(before)) {
             return after;
         }
@@ -68,12 +68,12 @@ public record Rename(Renamed kind, String before, String after) {
     }
 
     /** Returns the id of an obstacle after this change, given the one before. */
-    String renameObstacle(String id) {
+    public String renameObstacle(String id) {
         return isOfSensor() ? id : rename(id);
     }
 
     /** Returns a scenario with the new id in the robot or the world and in all commands of the timeline. */
-    Scenario rename(Scenario scenario) {
+    public Scenario rename(Scenario scenario) {
         return scenario.withSetup(rename(scenario.setup()));
     }
 
@@ -92,7 +92,7 @@ public record Rename(Renamed kind, String before, String after) {
     }
 
     /** Returns a journal with the new id in its setup and in all of its commands. */
-    Journal rename(Journal journal) {
+    public Journal rename(Journal journal) {
         List<Journal.Entry> entries = journal.entries().stream()
                 .map(entry -> new Journal.Entry(entry.tick(), rename(entry.command())))
                 .toList();

@@ -1,4 +1,4 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.world.Command;

@@ -1,4 +1,4 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /** What executed commands change in a setup: its obstacles, its robot and its controller. */
-final class EditedSetup {
+public final class EditedSetup {
 
     private static final Consumer<EditedSetup> NOTHING = setup -> {};
 
@@ -109,7 +109,7 @@ final class EditedSetup {
      * Returns the result of an edit, all of whose sensors are on if it is about settings of a sensor. The run leaves
      * the switch as it is at the tick, so an edit and what undoes it would differ if the sensor is switched in between.
      */
-    static CommandResult withoutSwitch(CommandResult result) {
+    public static CommandResult withoutSwitch(CommandResult result) {
         return result.command() instanceof Command.ConfigureSensor
                         && result.refusal().isEmpty()
                 ? new CommandResult.Executed(

@@ -1,9 +1,9 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
-import faultline.gui.document.ObstacleOrigins.Origin;
+import faultline.gui.change.ObstacleOrigins.Origin;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;

@@ -1,4 +1,4 @@
-package faultline.gui.document;
+package faultline.gui.change;
 
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
@@ -10,7 +10,7 @@ public final class SensorReference {
     private SensorReference() {}
 
     /** Returns whether a robot has the sensor that a command is about, or the command is about something else. */
-    static boolean isOn(RobotSpec robot, Command command) {
+    public static boolean isOn(RobotSpec robot, Command command) {
         return in(command).map(id -> robot.indexOf(id) >= 0).orElse(true);
     }
 
