@@ -65,7 +65,7 @@ final class EditSender {
         List<String> ids = open.sensorIds();
         open.session()
                 .send(
-                        commands.map(command -> document.inRun(command, renames, ids))
+                        commands.map(command -> document.renames().inRun(command, renames, ids))
                                 .toList(),
                         onResults);
     }
@@ -111,7 +111,7 @@ final class EditSender {
         sendNamed(
                 open,
                 changes.stream().flatMap(change -> Stream.ofNullable(change.inRun())),
-                open.document().obstacleRenames(),
+                open.document().renames().changesOfObstacles(),
                 executed::complete);
         // The session answers in order, so the results are there.
         open.session()

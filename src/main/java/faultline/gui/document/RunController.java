@@ -208,7 +208,7 @@ public final class RunController implements WorkspaceListener {
         workspace.openDocument().ifPresent(open -> {
             pendingChanges++;
             reportDeferredEdits();
-            Supplier<List<CommandResult>> present = open.document().followRenames(changes);
+            Supplier<List<CommandResult>> present = open.document().renames().follow(changes);
             open.session()
                     .journal()
                     .whenCompleteAsync(
@@ -260,7 +260,7 @@ public final class RunController implements WorkspaceListener {
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         int renames = workspace
                 .openDocument()
-                .map(open -> open.document().obstacleRenames())
+                .map(open -> open.document().renames().changesOfObstacles())
                 .orElse(0);
         submit(new DeferredRequest(open -> edits.send(open, commands, renames, onExecuted), true));
     }

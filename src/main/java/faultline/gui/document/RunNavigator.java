@@ -99,7 +99,7 @@ public final class RunNavigator implements WorkspaceListener {
                         },
                         EventQueue::invokeLater);
         CompletableFuture<Journal> past = whole.thenCombineAsync(
-                pastOfRun, (made, ofRun) -> now.document().named(ofRun), EventQueue::invokeLater);
+                pastOfRun, (made, ofRun) -> now.document().renames().inJournal(ofRun), EventQueue::invokeLater);
         WorkspaceTask task = new WorkspaceTask(kind, now.document().displayPath());
         Callable<OpenDocument> maker = () -> {
             Journal journal = whole.join();

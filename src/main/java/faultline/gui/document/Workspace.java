@@ -246,7 +246,7 @@ public final class Workspace implements AutoCloseable {
      * there; the id itself if the list lacks the sensor.
      */
     public String presentId(String id, List<String> ids) {
-        return document().map(now -> now.presentId(id, ids)).orElse(id);
+        return document().map(now -> now.renames().presentId(id, ids)).orElse(id);
     }
 
     /** Returns an earlier command of the timeline with the id that its sensor or obstacle has now, if it is there. */
@@ -256,12 +256,12 @@ public final class Workspace implements AutoCloseable {
 
     /** Returns a command of the views with the id that its obstacle has in the edited scenario. */
     public Command ofViews(Command command) {
-        return document().map(now -> now.ofViews(command)).orElse(command);
+        return document().map(now -> now.renames().ofViews(command)).orElse(command);
     }
 
     /** Returns the id that an obstacle of the views has in the edited scenario. */
     public String ofViews(String id) {
-        return document().map(now -> now.ofViews(id)).orElse(id);
+        return document().map(now -> now.renames().ofViews(id)).orElse(id);
     }
 
     /**
@@ -269,7 +269,7 @@ public final class Workspace implements AutoCloseable {
      * shown. Empty if they have them already.
      */
     public Optional<UnaryOperator<String>> takeRenames() {
-        return document().flatMap(ScenarioDocument::takeRenames);
+        return document().flatMap(now -> now.renames().takeForViews());
     }
 
     /** Returns whether the scenario has the sensor or the obstacle that a command is about. */

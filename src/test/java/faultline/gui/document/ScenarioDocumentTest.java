@@ -3,7 +3,6 @@ package faultline.gui.document;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -15,7 +14,6 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.change.Rename;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -108,39 +106,6 @@ class ScenarioDocumentTest {
 
     private static CommandResult executed(long tick, Command command) {
         return new CommandResult.Executed(tick, command, List.of());
-    }
-
-    @Test
-    void anIdOfASensorIsFoundInAnEarlierAndInALaterRobot() throws ScenarioException {
-        Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
-        ScenarioDocument document = new ScenarioDocument(null, null, office);
-        document.rename(Rename.ofSensor("left", "port"));
-        document.rename(Rename.ofSensor("port", "left"));
-        document.rename(Rename.ofSensor("left", "larboard"));
-        for (String id : List.of("left", "port", "larboard")) {
-            assertEquals("larboard", document.presentId(id, List.of("front", "larboard")));
-            assertEquals("left", document.presentId(id, List.of("front", "left")));
-            assertEquals("port", document.presentId(id, List.of("front", "port")));
-            assertEquals(id, document.presentId(id, List.of("front")), "removed");
-        }
-        assertEquals("front", document.presentId("front", List.of("front", "larboard")));
-        document.rename(Rename.ofSensor("rear", "left"));
-        document.rename(Rename.ofSensor("left", "rear"));
-        assertEquals("rear", document.presentId("left", List.of("larboard", "rear")), "the last one with this id");
-    }
-
-    @Test
-    void theResultOfACommandAboutAnotherSensorIsNotCopied() {
-        Rename rename = Rename.ofSensor("left", "port");
-        CommandResult other = executed(1, new Command.SwitchSensor("right", false));
-        assertSame(other, rename.rename(other));
-        assertEquals(
-                executed(1, new Command.SwitchSensor("port", false)),
-                rename.rename(executed(1, new Command.SwitchSensor("left", false))));
-        Command about = new Command.SwitchSensor("right", false);
-        CommandResult refused =
-                new CommandResult.Refused(1, about, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "right"));
-        assertSame(refused, rename.rename(refused));
     }
 
     /** In this scenario the timeline moves a crate, and places and removes a parcel. */
