@@ -42,6 +42,7 @@ final class LayerRules {
             "gui.text",
             "gui.theme",
             "gui.settings",
+            "gui.form",
             "gui.change",
             "gui.document",
             "gui.edit",

@@ -7,6 +7,8 @@ import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.form.NarrowingColumn;
+import faultline.gui.form.PendingField;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
@@ -42,8 +44,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.Scrollable;
-import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 
 /**
@@ -52,7 +52,6 @@ import javax.swing.SwingUtilities;
  */
 public final class ControlPanel extends JPanel {
 
-    private static final int WHEEL_STEP = 16;
     private static final int SCROLL_MARGIN = 4;
     /** The property of the focus manager that changes with the focus. */
     private static final String FOCUS = "permanentFocusOwner";
@@ -224,62 +223,6 @@ public final class ControlPanel extends JPanel {
         UiText.addTab(tabs, key, scroll);
     }
 
-    /**
-     * Sections that are laid out to the width of their viewport, and scroll sideways only below their minimum width.
-     */
-    static final class NarrowingColumn extends JPanel implements Scrollable {
-
-        /** The width of the viewport for which the sections have computed their heights, pixels. */
-        private int viewportWidth;
-
-        NarrowingColumn() {
-            super(new BorderLayout());
-        }
-
-        /** Returns the size for the present width of the viewport, on which the heights of the sections depend. */
-        @Override
-        public Dimension getPreferredSize() {
-            int width = getParent() == null ? 0 : getParent().getWidth();
-            if (width != viewportWidth) {
-                viewportWidth = width;
-                invalidateAll(this);
-            }
-            return super.getPreferredSize();
-        }
-
-        private static void invalidateAll(Container container) {
-            container.invalidate();
-            Stream.of(container.getComponents())
-                    .filter(JPanel.class::isInstance)
-                    .forEach(panel -> invalidateAll((JPanel) panel));
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-            return WHEEL_STEP;
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-            return orientation == SwingConstants.VERTICAL ? visible.height : visible.width;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return getParent().getWidth() >= getMinimumSize().width;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportHeight() {
-            return getParent().getHeight() > getPreferredSize().height;
-        }
-    }
-
     /** Returns a width at which the sections scroll sideways. */
     @Override
     public Dimension getMinimumSize() {
@@ -337,18 +280,6 @@ public final class ControlPanel extends JPanel {
     /** Shows the name or the command of the controller that the user has chosen for the run; empty for none. */
     public void setChosenController(String text) {
         controller.setChosen(text);
-    }
-
-    /** A field whose text is applied by Enter, or when the focus leaves the field. */
-    public interface PendingField {
-        /** Applies the text now if it is allowed; returns whether that changed a value. */
-        boolean commitPendingEdit();
-
-        /** Shows the present value in place of what is being typed. */
-        void discardPendingEdit();
-
-        /** Returns whether the text is not that of the present value. */
-        boolean isEdited();
     }
 
     /** Commits what is being typed, as if the field lost the focus, and returns whether that changed a value. */

@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.form.PendingField;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.UiText;
 import faultline.io.XmlText;
@@ -15,7 +16,7 @@ import javax.swing.JTextField;
  * allowed, a note below the field says why; the text stays until Escape is pressed or the focus leaves the field, which
  * shows the present value again.
  */
-public abstract class EnteredTextField extends JTextField implements ControlPanel.PendingField {
+public abstract class EnteredTextField extends JTextField implements PendingField {
 
     private final transient RefusalNote note = new RefusalNote(this);
 

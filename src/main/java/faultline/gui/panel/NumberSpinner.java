@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.form.PendingField;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
@@ -26,7 +27,7 @@ import javax.swing.text.DefaultFormatterFactory;
  * A field for one number, which shows the value of the world unless the user is typing. It is as wide as its text
  * needs. A note below it says why a text is refused. It shows nothing for NaN.
  */
-public final class NumberSpinner extends JSpinner implements ControlPanel.PendingField {
+public final class NumberSpinner extends JSpinner implements PendingField {
 
     /** The width of the arrows and the margins, pixels. */
     private static final int PADDING = 32;

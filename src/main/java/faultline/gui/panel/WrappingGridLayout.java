@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.form.NarrowingColumn;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -63,7 +64,7 @@ public final class WrappingGridLayout extends GridBagLayout {
         int margins = 0;
         for (Container outer = parent.getParent(); outer != null; outer = outer.getParent()) {
             if (outer instanceof JViewport viewport) {
-                boolean narrows = viewport.getView() instanceof ControlPanel.NarrowingColumn && viewport.getWidth() > 0;
+                boolean narrows = viewport.getView() instanceof NarrowingColumn && viewport.getWidth() > 0;
                 return narrows ? viewport.getWidth() - margins : Integer.MAX_VALUE;
             }
             margins += horizontalInsets(outer);

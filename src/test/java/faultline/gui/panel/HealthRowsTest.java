@@ -10,6 +10,7 @@ import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.form.NarrowingColumn;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.util.List;
@@ -68,7 +69,7 @@ class HealthRowsTest {
     }
 
     private static void placeInTab(HealthRows rows, int width) {
-        ControlPanel.NarrowingColumn column = new ControlPanel.NarrowingColumn();
+        NarrowingColumn column = new NarrowingColumn();
         column.add(rows);
         JScrollPane tab = new JScrollPane(column);
         tab.setBorder(null);
