@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.NumberSpinner;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.Container;

@@ -5,7 +5,7 @@ import faultline.external.ControllerChoice;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.Leaving;
-import faultline.gui.panel.FormDialog.FormProblem;
+import faultline.gui.form.FormDialog.FormProblem;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;

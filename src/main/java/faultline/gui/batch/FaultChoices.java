@@ -1,7 +1,7 @@
 package faultline.gui.batch;
 
 import faultline.campaign.plan.ValueSyntax;
-import faultline.gui.panel.FormConstraints;
+import faultline.gui.form.FormConstraints;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextListener;

@@ -1,8 +1,8 @@
 package faultline.gui.batch;
 
 import faultline.campaign.report.LowerQuantile;
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.NamedChoice;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.NamedChoice;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;

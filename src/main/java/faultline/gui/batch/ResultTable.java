@@ -1,7 +1,7 @@
 package faultline.gui.batch;
 
 import faultline.gui.action.CopyableRows;
-import faultline.gui.panel.RowTable;
+import faultline.gui.form.RowTable;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;

@@ -1,9 +1,9 @@
 package faultline.gui.dialog;
 
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.FormDialog;
-import faultline.gui.panel.MutedLabel;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.FormDialog;
+import faultline.gui.form.MutedLabel;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.scenario.xml.ScenarioLimits;
 import java.awt.Component;

@@ -1,8 +1,8 @@
 package faultline.gui.dialog;
 
 import faultline.gui.action.Keystrokes;
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.RowTable;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.RowTable;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextListener;
 import faultline.gui.theme.DialogButtons;

@@ -3,7 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.action.CopyableRows;
-import faultline.gui.panel.RowTable;
+import faultline.gui.form.RowTable;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;

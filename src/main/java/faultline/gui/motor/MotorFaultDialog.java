@@ -1,8 +1,8 @@
 package faultline.gui.motor;
 
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.FormDialog;
 import faultline.gui.panel.FaultFields;
-import faultline.gui.panel.FormDialog;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.robot.MotorFault;

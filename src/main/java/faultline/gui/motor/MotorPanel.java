@@ -2,9 +2,9 @@ package faultline.gui.motor;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.panel.FaultList;
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.WrappingGridLayout;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;

@@ -9,6 +9,7 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.form.NarrowingColumn;
 import faultline.gui.form.PendingField;
+import faultline.gui.form.TitledSection;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;

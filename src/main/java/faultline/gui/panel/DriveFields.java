@@ -2,6 +2,8 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.form.NumberSpinner;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.text.CachedDegrees;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;

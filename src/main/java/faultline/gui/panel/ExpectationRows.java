@@ -2,6 +2,10 @@ package faultline.gui.panel;
 
 import faultline.engine.metrics.Expectation;
 import faultline.engine.metrics.RunFacts;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.MutedLabel;
+import faultline.gui.form.ValueLabel;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;

@@ -1,5 +1,9 @@
 package faultline.gui.panel;
 
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.MutedLabel;
+import faultline.gui.form.NamedChoice;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;

@@ -2,6 +2,10 @@ package faultline.gui.panel;
 
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.MutedLabel;
+import faultline.gui.form.ValueLabel;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import faultline.gui.theme.TextSize;

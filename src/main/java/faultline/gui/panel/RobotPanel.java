@@ -1,6 +1,9 @@
 package faultline.gui.panel;
 
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.NumberSpinner;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.robot.RobotSpec;

@@ -1,5 +1,7 @@
 package faultline.gui.panel;
 
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.WrappingGridLayout;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;

@@ -2,6 +2,10 @@ package faultline.gui.panel;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.EnteredTextField;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.NamedChoice;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.UiText;
 import faultline.sensor.Fault;

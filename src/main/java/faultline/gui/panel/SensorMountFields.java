@@ -4,6 +4,8 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.EditLimits;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.CachedDegrees;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;

@@ -3,6 +3,8 @@ package faultline.gui.panel;
 import faultline.geometry.Degrees;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.EditLimits;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.CachedDegrees;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;

@@ -1,6 +1,9 @@
 package faultline.gui.panel;
 
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.MutedLabel;
+import faultline.gui.form.WrappingGridLayout;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.Palette;

@@ -1,7 +1,7 @@
 package faultline.gui.properties;
 
 import faultline.geometry.Vector2;
-import faultline.gui.panel.EnteredTextField;
+import faultline.gui.form.EnteredTextField;
 import faultline.gui.text.Messages;
 import faultline.io.DecimalText;
 import faultline.scenario.xml.ScenarioLimits;

@@ -2,11 +2,11 @@ package faultline.gui.properties;
 
 import faultline.engine.ControllerFactory;
 import faultline.engine.SimulationSetup;
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.FormDialog;
-import faultline.gui.panel.FormDialog.FormProblem;
-import faultline.gui.panel.NumberSpinner;
-import faultline.gui.panel.TitledSection;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.FormDialog;
+import faultline.gui.form.FormDialog.FormProblem;
+import faultline.gui.form.NumberSpinner;
+import faultline.gui.form.TitledSection;
 import faultline.gui.text.ContactText;
 import faultline.gui.text.Messages;
 import faultline.io.DecimalText;

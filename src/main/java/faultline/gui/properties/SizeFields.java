@@ -2,8 +2,8 @@ package faultline.gui.properties;
 
 import faultline.geometry.Vector2;
 import faultline.gui.edit.PointShapes;
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.world.ObstacleShape;

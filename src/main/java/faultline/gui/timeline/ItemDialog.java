@@ -1,9 +1,9 @@
 package faultline.gui.timeline;
 
-import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.FormDialog;
-import faultline.gui.panel.NamedChoice;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.FormConstraints;
+import faultline.gui.form.FormDialog;
+import faultline.gui.form.NamedChoice;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;

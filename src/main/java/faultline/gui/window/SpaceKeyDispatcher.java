@@ -1,7 +1,7 @@
 package faultline.gui.window;
 
-import faultline.gui.panel.EnteredTextField;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.EnteredTextField;
+import faultline.gui.form.NumberSpinner;
 import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;

@@ -11,7 +11,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerNames;
 import faultline.gui.ComponentFinder;
-import faultline.gui.panel.FormDialog;
+import faultline.gui.form.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;

@@ -16,6 +16,8 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.FieldExtremes;
 import faultline.gui.action.UiAction;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.MutedLabel;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.text.ReadingText;

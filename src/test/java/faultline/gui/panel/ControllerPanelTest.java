@@ -28,6 +28,7 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;

@@ -10,6 +10,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;

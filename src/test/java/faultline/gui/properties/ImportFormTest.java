@@ -12,7 +12,7 @@ import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.panel.FormDialog;
+import faultline.gui.form.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;

@@ -9,7 +9,7 @@ import faultline.control.ControllerSpec;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.NumberSpinner;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;

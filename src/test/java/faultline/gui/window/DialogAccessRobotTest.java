@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.panel.RefusalNote;
+import faultline.gui.form.RefusalNote;
 import faultline.gui.theme.Theme;
 import java.awt.AWTException;
 import java.awt.Color;

@@ -5,8 +5,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import faultline.gui.panel.EnteredTextField;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.EnteredTextField;
+import faultline.gui.form.NumberSpinner;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;

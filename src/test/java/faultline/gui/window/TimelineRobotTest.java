@@ -8,7 +8,7 @@ import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
-import faultline.gui.panel.NumberSpinner;
+import faultline.gui.form.NumberSpinner;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;

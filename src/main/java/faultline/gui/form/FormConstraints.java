@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
 import faultline.gui.theme.UiText;
 import java.awt.GridBagConstraints;
@@ -10,7 +10,7 @@ import javax.swing.JPanel;
 /** Constraints for the cells of a form. */
 public final class FormConstraints {
 
-    static final int GAP = 6;
+    public static final int GAP = 6;
 
     private FormConstraints() {}
 

@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
 import faultline.gui.theme.KeyBindings;
 import java.awt.KeyboardFocusManager;

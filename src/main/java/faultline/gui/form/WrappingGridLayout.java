@@ -1,6 +1,5 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
-import faultline.gui.form.NarrowingColumn;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -60,7 +59,7 @@ public final class WrappingGridLayout extends GridBagLayout {
     }
 
     /** Returns the width that the tab leaves for a container, known before the container is laid out, pixels. */
-    static int availableWidth(Container parent) {
+    public static int availableWidth(Container parent) {
         int margins = 0;
         for (Container outer = parent.getParent(); outer != null; outer = outer.getParent()) {
             if (outer instanceof JViewport viewport) {

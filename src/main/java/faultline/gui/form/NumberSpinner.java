@@ -1,6 +1,5 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
-import faultline.gui.form.PendingField;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
@@ -177,7 +176,7 @@ public final class NumberSpinner extends JSpinner implements PendingField {
     }
 
     /** Lets the form show why a text is refused. */
-    NumberSpinner withoutNote() {
+    public NumberSpinner withoutNote() {
         note = null;
         return this;
     }
@@ -245,7 +244,7 @@ public final class NumberSpinner extends JSpinner implements PendingField {
     }
 
     /** Sets another upper limit; the value stays, even above it. */
-    void setMax(double max) {
+    public void setMax(double max) {
         if (!model.getMaximum().equals(max)) {
             formatter.setMax(max);
             model.setMaximum(max);

@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
 import faultline.gui.theme.RefreshSteps;
 import java.awt.Dimension;
@@ -8,16 +8,16 @@ import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 
 /** A label for a value that changes. It is as wide as its widest text from the start, so nothing moves with it. */
-final class ValueLabel extends JLabel {
+public final class ValueLabel extends JLabel {
 
     private static final int MARGIN = 2;
     /** Shown where there is no value. */
-    static final String NONE = "–";
+    public static final String NONE = "–";
 
     private transient List<String> widest = List.of();
 
     /** Creates a label without a value; the suppliers return its accessible name and the texts that must fit. */
-    ValueLabel(Supplier<String> name, Supplier<List<String>> widest) {
+    public ValueLabel(Supplier<String> name, Supplier<List<String>> widest) {
         super(NONE, SwingConstants.LEADING);
         RefreshSteps.add(this, label -> {
             label.widest = widest.get();
@@ -27,7 +27,7 @@ final class ValueLabel extends JLabel {
     }
 
     /** Shows a value; nothing is laid out or painted if it is the old one. */
-    void setValue(String text) {
+    public void setValue(String text) {
         if (!text.equals(getText())) {
             setText(text);
         }

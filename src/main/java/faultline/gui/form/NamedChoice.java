@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
 import java.awt.Component;
 import java.util.Objects;

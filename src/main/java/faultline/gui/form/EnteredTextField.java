@@ -1,6 +1,5 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
-import faultline.gui.form.PendingField;
 import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.UiText;
 import faultline.io.XmlText;
