@@ -9,7 +9,7 @@ import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.ListCellRenderer;
 
-/** A combo box of values with names. It shows the value of the world unless the user is choosing. */
+/** A combo box of values with names. It shows the present value unless the user is choosing. */
 public final class NamedChoice<T> extends JComboBox<T> {
 
     private boolean updating;

@@ -23,8 +23,8 @@ import javax.swing.SwingConstants;
 import javax.swing.text.DefaultFormatterFactory;
 
 /**
- * A field for one number, which shows the value of the world unless the user is typing. It is as wide as its text
- * needs. A note below it says why a text is refused. It shows nothing for NaN.
+ * A field for one number, which shows the present value unless the user is typing. It is as wide as its text needs. A
+ * note below it says why a text is refused. It shows nothing for NaN.
  */
 public final class NumberSpinner extends JSpinner implements PendingField {
 
@@ -252,7 +252,7 @@ public final class NumberSpinner extends JSpinner implements PendingField {
         }
     }
 
-    /** Shows the value of the world, nothing for NaN, unless the user is typing; it may be outside the limits. */
+    /** Shows the present value, nothing for NaN, unless the user is typing; it may be outside the limits. */
     public void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();
         if (truth != doubleValue() && !isTyping()) {

@@ -9,7 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** A section of the control panel. */
+/** A section of a form or a panel, with a line below it. */
 public final class TitledSection extends JPanel {
 
     /** Creates a section with the heading of a key. */
@@ -21,7 +21,7 @@ public final class TitledSection extends JPanel {
         add(heading, BorderLayout.NORTH);
     }
 
-    /** Creates the first section of a tab, whose name says enough. */
+    /** Creates a section without a heading, such as the first of a tab, whose name says enough. */
     public TitledSection(JComponent content) {
         super(new BorderLayout());
         setBorder(SeparatorBorder.below(9, 14, 8));

@@ -20,9 +20,9 @@ import javax.swing.JLabel;
 import javax.swing.JViewport;
 
 /**
- * A grid whose rows continue on further lines if the tab of the control panel that contains it is too narrow for its
+ * A grid whose rows continue on further lines if the {@link NarrowingColumn} that contains it is too narrow for its
  * columns. All rows continue before the same columns, so that headings remain above their values, and before the label
- * of a field rather than after it. In a wider tab and elsewhere it is a {@link GridBagLayout}.
+ * of a field rather than after it. In a wider column and elsewhere it is a {@link GridBagLayout}.
  */
 public final class WrappingGridLayout extends GridBagLayout {
 
@@ -36,7 +36,7 @@ public final class WrappingGridLayout extends GridBagLayout {
                 : super.preferredLayoutSize(parent);
     }
 
-    /** Returns a size as wide as the widest component, below which the tab scrolls sideways. */
+    /** Returns a size as wide as the widest component, below which the column scrolls sideways. */
     @Override
     public Dimension minimumLayoutSize(Container parent) {
         Dimension grid = super.minimumLayoutSize(parent);
@@ -58,7 +58,7 @@ public final class WrappingGridLayout extends GridBagLayout {
         return width < super.minimumLayoutSize(parent).width;
     }
 
-    /** Returns the width that the tab leaves for a container, known before the container is laid out, pixels. */
+    /** Returns the width that the column leaves for a container, known before the container is laid out, pixels. */
     public static int availableWidth(Container parent) {
         int margins = 0;
         for (Container outer = parent.getParent(); outer != null; outer = outer.getParent()) {
