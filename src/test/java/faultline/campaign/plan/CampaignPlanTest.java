@@ -188,6 +188,23 @@ class CampaignPlanTest {
     }
 
     @Test
+    void allSeedsAndTheirNumberAreOneByDefault() throws ScenarioException {
+        String world = "<worlds><scenario file=\"a.xml\"/></worlds>";
+        String drawn = "<set attribute=\"robot/@speed\" value=\"0.1..0.2\"/>";
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", world + "<seeds/>" + drawn));
+        assertEquals(1, plan.runCount());
+        assertEquals(1, plan.run(0).seed());
+        assertEquals(
+                SamplePlan.read(SamplePlan.text("seed=\"1\"", world + drawn)).run(0), plan.run(0));
+    }
+
+    @Test
+    void theDescriptionHasNoBlanksAroundIt() throws ScenarioException {
+        String description = "<description>\n  Two\n  lines\n</description>";
+        assertEquals("Two\n  lines", plan(description).header().description());
+    }
+
+    @Test
     void aRunEndsAtItsVerdictOnRequestOnly() throws ScenarioException {
         assertTrue(SamplePlan.read(SamplePlan.text("end=\"verdict\"", FIFTY_SPEEDS))
                 .header()
@@ -235,6 +252,35 @@ class CampaignPlanTest {
         RobotSpec robot = plan.scenario(plan.run(1)).setup().robot();
         assertTrue(robot.sensor("front nose").orElseThrow().on());
         assertFalse(robot.sensor("left").orElseThrow().on());
+    }
+
+    @Test
+    void aFaultWithoutALabelIsCalledByItsKind() throws ScenarioException {
+        CampaignPlan plan = plan(
+                """
+                <faults><healthy/><fault sensor="front" kind="off" at="1"/>
+                <fault sensor="front" kind="stuck" value="0.5" at="1" label="frozen"/></faults>
+                """);
+        List<String> columns = plan.factorColumns().stream().map(Column::name).toList();
+        assertEquals(
+                List.of("none", "off", "frozen"),
+                LongStream.range(0, 3)
+                        .mapToObj(run -> plan.run(run).cells().get(columns.indexOf("fault_label")))
+                        .toList());
+    }
+
+    @Test
+    void aFaultMayBeOfASensorWhoseIdHasABlank() throws ScenarioException {
+        String room = SamplePlan.ROOM.replace(
+                "y=\"1.2\"/>", "y=\"1.2\"><sensor id=\"front nose\" x=\"0.1\" y=\"0\" bearing=\"0\"/></robot>");
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        "<worlds><scenario file=\"a.xml\"/></worlds>"
+                                + "<faults><fault sensor='\"front nose\" left' kind=\"off\" at=\"1\"/></faults>"),
+                room.replace("></robot>", "><sensor id=\"left\" x=\"0\" y=\"0.1\" bearing=\"90\"/></robot>"));
+        assertEquals("front nose", plan.run(0).cells().get(1));
+        assertEquals("left", plan.run(1).cells().get(1));
     }
 
     /** "none" is a legal id. */

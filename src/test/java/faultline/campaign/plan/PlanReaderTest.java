@@ -72,6 +72,13 @@ class PlanReaderTest {
             <set attribute="controller/setting[1]/@value" value="1"/> | plan.xml:3:58: attribute of <set> is "controller/setting[1]/@value", but <controller> has no setting[1] (in room)
             <set attribute="controller/setting[a]/@value" value="1"/> | plan.xml:3:58: <controller> must not contain <setting>; expected nothing (in room)
             <masks sensors='front "left'/> | plan.xml:3:31: sensors of <masks> is "front "left"; expected ids with blanks between them, with whole ids in double quotes; at most 100000 of them
+            <faults><fault sensor='"left' kind="off" at="1"/></faults> | plan.xml:3:50: sensor of <fault> is ""left"; expected ids with blanks between them, or any of A B C, with whole ids in double quotes; at most 100000 ids
+            <faults><fault sensor="2..1" kind="off" at="1"/></faults> | plan.xml:3:49: sensor of <fault> is "2..1"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
+            <faults><fault sensor="left" kind="stuck" value='2..1 "' at="1"/></faults> | plan.xml:3:66: value of <fault> is "2..1 ""; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C; at most 100000 values
+            <set attribute="robot/@speed" value="0.1..2000"/> | plan.xml:3:50: speed of <robot> is "2000"; expected a number more than 0 and at most 1000 metres per second (in room)
+            <variants><variant name="a"><set attribute="robot/@speed" value="-1"/><set attribute="@duration" value="5"/></variant></variants> | plan.xml:3:71: speed of <robot> is "-1"; expected a number more than 0 and at most 1000 metres per second (in room)
+            <faults><fault kind="off" sensor="frnt" at="1" lasts="2"/></faults> | plan.xml:3:59: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
+            <faults><fault kind="off" sensor="front" at="1" until="0.5"/></faults> | plan.xml:3:62: until of <fault> is 0.5; expected a time after at, which is 1 (in room)
             <variants/> | plan.xml:3:12: <variants> contains no variant; expected one or more
             <variants><variant name="a"/><variant name="b"/><variant name="a"/></variants> | plan.xml:3:68: name of <variant> is "a"; expected a unique name
             <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
@@ -98,6 +105,17 @@ class PlanReaderTest {
                 ScenarioException.class, () -> SamplePlan.read(SamplePlan.text("", "<worlds>" + worlds + "</worlds>")));
         assertEquals(1, refusal.problems().size());
         assertEquals(problem, refusal.problems().get(0).toString().replaceFirst("^plan.xml:2:\\d+: ", ""));
+    }
+
+    @Test
+    void theRootElementIsACampaign() {
+        String plan =
+                SamplePlan.text("", "").replace("campaign xmlns", "plan xmlns").replace("/campaign", "/plan");
+        ScenarioException refusal = assertThrows(ScenarioException.class, () -> SamplePlan.read(plan));
+        assertEquals(
+                List.of("plan.xml:1:53: the root element is <plan>;"
+                        + " expected <campaign xmlns=\"urn:faultline:campaign:1\">"),
+                refusal.problems().stream().map(Object::toString).toList());
     }
 
     private static final String EVERY_ELEMENT = SamplePlan.text(
@@ -243,6 +261,24 @@ class PlanReaderTest {
                         <fault sensor="left" kind="stuck" value="0..1/100000" at="0..10/100000"/>
                         </faults>
                         """));
+    }
+
+    @Test
+    void aPlanMayHaveTheMaximumNumberOfRuns() {
+        assertEquals(List.of(), SamplePlan.problems("<seeds count=\"" + CampaignPlan.MAX_RUNS + "\"/>"));
+    }
+
+    @Test
+    void aProblemOfAllRoomsNamesTheFirst() {
+        for (String speeds : List.of("-1", "0.1 -1")) {
+            String plan = SamplePlan.text(
+                    "",
+                    "<worlds><rooms first=\"3\" count=\"2\"/></worlds><set attribute=\"robot/@speed\" value=\"" + speeds
+                            + "\"/>");
+            ScenarioException refusal = assertThrows(ScenarioException.class, () -> SamplePlan.read(plan));
+            assertEquals(1, refusal.problems().size(), refusal::getMessage);
+            assertTrue(refusal.getMessage().endsWith(" metres per second (in room-3)"), refusal::getMessage);
+        }
     }
 
     /** The name of each replay and a cell of each row has them. */
