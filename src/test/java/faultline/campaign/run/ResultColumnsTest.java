@@ -136,6 +136,23 @@ class ResultColumnsTest {
         assertEquals("", cells.get("failure"));
     }
 
+    @Test
+    void aRunThatCarriedOnIsOneAndOneThatDidNotIsZero() throws Exception {
+        CampaignPlan plan = SamplePlan.read(
+                SamplePlan.text(
+                        "",
+                        """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="@duration" value="60"/>
+                <set attribute="controller/@diagnosis" value="off"/>
+                <faults><healthy/><fault sensor="front" kind="stuck" value="0.9" at="1"/></faults>
+                """));
+        Map<String, String> healthy = MeasuredRun.of(plan, 0).cells();
+        assertEquals(List.of("carried_on", "1"), List.of(healthy.get("outcome"), healthy.get("carried_on")));
+        Map<String, String> faulty = MeasuredRun.of(plan, 1).cells();
+        assertEquals(List.of("collided", "0"), List.of(faulty.get("outcome"), faulty.get("carried_on")));
+    }
+
     private static String rounded(double number, int digits) {
         return BigDecimal.valueOf(number)
                 .setScale(digits, RoundingMode.HALF_UP)
