@@ -122,6 +122,25 @@ class FloorPlanScenarioTest {
         assertEquals(new Pose(0.2, 0.4, 0), corridor.setup().start());
     }
 
+    /** About a corner of cells, it would touch a wall. */
+    @Test
+    void theRobotStartsInTheMiddleOfACorridorInWhichItCannotTurn() throws FloorPlanException {
+        CellState[] cells = new CellState[20 * 5];
+        Arrays.setAll(cells, i -> i / 20 == 0 || i / 20 == 4 ? CellState.OCCUPIED : CellState.FREE);
+        Scenario corridor = FloorPlanScenario.create("Corridor", trace(20, 5, 0, new BigDecimal("0.1"), cells), "");
+        assertEquals(new Pose(0.15, 0.25, 0), corridor.setup().start());
+    }
+
+    @Test
+    void theRobotStartsInTheMiddleOfLargeUnknownCellsWithoutAnObstacle() throws FloorPlanException {
+        CellState[] cells = new CellState[9];
+        Arrays.fill(cells, CellState.UNKNOWN);
+        SimulationSetup setup = FloorPlanScenario.create("Unknown", trace(3, 3, 0, BigDecimal.ONE, cells), "")
+                .setup();
+        assertEquals(new Pose(1.5, 1.5, 0), setup.start());
+        assertEquals(List.of(), setup.world().obstacles());
+    }
+
     @Test
     void unknownCellsAreAPlaceToStartOnlyIfNoneIsKnown() throws FloorPlanException {
         CellState[] cells = new CellState[40 * 30];

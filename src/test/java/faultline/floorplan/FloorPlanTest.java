@@ -425,6 +425,11 @@ class FloorPlanTest {
             P5 2 9 65535 0           | the image ends after 1 bytes of pixels, 36 are needed
             P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
             P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
+            P1 2 1 0 1               | the format of the image is P1; expected P2 or P5
+            P7 2 1 255 0             | the format of the image is P7; expected P2 or P5
+            P0 2 1 255 0             | the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
+            P8 2 1 255 0             | the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
+            P                        | the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
             P2 2                     | the height is missing at byte 4
             P2 2 x                   | the height is "x" at byte 5; expected a whole number
             P5 -5 5 255              | the width is "-5" at byte 3; expected a whole number
@@ -517,6 +522,19 @@ class FloorPlanTest {
         assertEquals(
                 yaml + ":1:8: image is \"" + "x".repeat(60) + "...\"; expected the name of an image file",
                 e.getMessage());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"m.yaml, true", "M.YML, true", "m.yml.pgm, false", "yaml, false"})
+    void aMapFileIsKnownByTheEndingOfItsName(String name, boolean isYaml) {
+        assertEquals(isYaml, FloorPlan.isYaml(folder.resolve(name)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-1, 0", "0, -0.1", "0, NaN", "0, Infinity"})
+    void theOptionsAreNotNegative(int minCells, double smoothing) {
+        assertEquals(0, new FloorPlan.Options(false, 0, 0).minCells());
+        assertThrows(IllegalArgumentException.class, () -> new FloorPlan.Options(false, minCells, smoothing));
     }
 
     /** A scenario could not hold the outlines; they are counted before they are traced. */

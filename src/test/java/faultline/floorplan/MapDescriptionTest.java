@@ -3,7 +3,9 @@ package faultline.floorplan;
 import static faultline.floorplan.CellState.FREE;
 import static faultline.floorplan.CellState.OCCUPIED;
 import static faultline.floorplan.CellState.UNKNOWN;
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -11,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -76,6 +79,28 @@ class MapDescriptionTest {
     })
     void theLimitsOfTheResolutionAreAllowed(BigDecimal metres, boolean allowed) {
         assertEquals(allowed, MapDescription.isResolution(metres));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1,  0,    0, 0, true",
+        "1,  0,    1, 1, true",
+        "0,  0,    1, 0, false",
+        "-1, 0,    1, 0, false",
+        "1,  NaN,  1, 0, false",
+        "1,  0,  1.1, 0, false",
+        "1,  0, -0.1, 0, false",
+        "1,  0,  1, 1.1, false",
+        "1,  0, 1, -0.1, false"
+    })
+    void theThresholdsAreShares(BigDecimal resolution, double yaw, double occupied, double free, boolean allowed) {
+        Executable creation = () ->
+                new MapDescription(folder.resolve("m.pgm"), resolution, yaw, MapMode.TRINARY, false, occupied, free);
+        if (allowed) {
+            assertDoesNotThrow(creation);
+        } else {
+            assertThrows(IllegalArgumentException.class, creation);
+        }
     }
 
     @Test

@@ -49,6 +49,15 @@ class MapFrameTest {
         }
     }
 
+    @Test
+    void theWorldOfATinyRotatedMapIsTiny() {
+        MapDescription cells = new MapDescription(
+                Path.of("m.pgm"), new BigDecimal("0.001"), Math.PI / 2, MapMode.TRINARY, false, 0.65, 0.196);
+        MapFrame frame = MapFrame.of(cells, 40, 30);
+        assertEquals(0.03, frame.width(), 2 * STEP);
+        assertEquals(0.04, frame.height(), 2 * STEP);
+    }
+
     private static void assertSpan(double size, DoubleSummaryStatistics corners, String message) {
         assertTrue(corners.getMin() > -ROUNDING && corners.getMin() < STEP, message);
         assertTrue(corners.getMax() <= size && size <= corners.getMax() + 2 * STEP, message);

@@ -213,6 +213,30 @@ class MapImageReaderTest {
         assertEquals(map.white(), map.sample(2, 2));
     }
 
+    @ParameterizedTest
+    @CsvSource({"2, 3, 0, 1", "4, 2, 1, 0", "4, 4, 1, 1"})
+    void everyPixelOfAPartHasItsPlaceInTheWhole(int width, int height, int left, int top) {
+        MapImage part = new MapImage(2, 2, 9);
+        for (int i = 0; i < 4; i++) {
+            part.set(i, i + 1, i == 1);
+        }
+        MapImage whole = part.on(width, height, left, top);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                boolean isCovered = x >= left && x < left + 2 && y >= top && y < top + 2;
+                String place = x + "," + y;
+                assertEquals(isCovered ? part.sample(x - left, y - top) : 0, whole.sample(x, y), place);
+                assertEquals(!isCovered || part.isTransparent(x - left, y - top), whole.isTransparent(x, y), place);
+            }
+        }
+    }
+
+    @Test
+    void aFolderIsNoImage() {
+        FloorPlanException e = assertThrows(FloorPlanException.class, () -> MapImageReader.read(folder));
+        assertEquals(folder + ": this is not a regular file; expected an image file", e.getMessage());
+    }
+
     @Test
     void theScreenOfAGifIsExtendedToItsImage() throws IOException {
         MapImage map = MapImageReader.read(gif(0, 0, 0, 0));
