@@ -117,7 +117,7 @@ public record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, 
      * value is, too. False for NaN.
      */
     boolean isInside(double rounded) {
-        return rounded > min.doubleValue() && rounded < max.doubleValue() && (rounded != 0 || minInclusive);
+        return rounded > min.doubleValue() && rounded < max.doubleValue();
     }
 
     /** {@return this range as a rule, such as "from 0 to 100 metres"} */

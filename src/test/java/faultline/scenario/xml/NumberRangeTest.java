@@ -59,4 +59,14 @@ class NumberRangeTest {
     void aRoundedValueIsInsideIfItIsNoLimit(String name, double rounded, boolean inside) {
         assertEquals(inside, range(name).isInside(rounded));
     }
+
+    @ParameterizedTest
+    @CsvSource({
+        "share,     from 0 to 1",
+        "gain,      more than 0 and at most 1000000",
+        "cone,      more than 0 and less than 180 degrees"
+    })
+    void theRuleSaysWhichLimitsAreAllowed(String name, String rule) {
+        assertEquals(rule, range(name).rule().toString());
+    }
 }
