@@ -91,6 +91,36 @@ class SpinComparisonTest {
         assertEquals(SpinComparison.NONE, spin(0));
     }
 
+    /** The sensor at its right still agrees with the sensor ahead. */
+    @Test
+    void twoOthersWithTheSameErrorDoNotOutvoteAThird() {
+        errors[1] = 0.05;
+        errors[2] = 0.05;
+        assertEquals(SpinComparison.NONE, spin(0));
+    }
+
+    /** All differ by more than 12 mm from each other, and by more than 25 mm from the sensor ahead. */
+    @Test
+    void withoutTwoSensorsThatAgreeNoneIsFound() {
+        for (int i = 1; i < 8; i++) {
+            errors[i] = 0.015 * (i - 3);
+        }
+        errors[FRONT] = 0.09;
+        assertEquals(SpinComparison.NONE, spin(0));
+    }
+
+    @Test
+    void anErrorIsFoundAlthoughAFewDirectionsAreWithoutIt() {
+        errors[FRONT] = 0.035;
+        drive(0.942, -0.942, 80, 0);
+        errors[FRONT] = 0;
+        drive(0.942, -0.942, 20, 0);
+        errors[FRONT] = 0.035;
+        drive(0.942, -0.942, 100, 0);
+        assertTrue(drive(3, 3, 10, 0));
+        assertEquals(FRONT, comparison.wrongAhead());
+    }
+
     @Test
     void anArcIsNoSpin() {
         assertFalse(drive(2.5, 3.5, 100, 0));
@@ -130,6 +160,16 @@ class SpinComparisonTest {
         drive(-3, -3, 10, 0);
         drive(-0.942, 0.942, 200, 0);
         drive(3, 3, 10, 0);
+        assertEquals(SpinComparison.NONE, comparison.wrongAhead());
+    }
+
+    /** The first spin has shown the error to sensors that do not see the walls of the second. */
+    @Test
+    void aShortSecondSpinForgetsTheFirst() {
+        errors[FRONT] = 0.05;
+        assertEquals(FRONT, spin(0));
+        assertFalse(drive(0.942, -0.942, 50, 0));
+        assertTrue(drive(3, 3, 10, 0));
         assertEquals(SpinComparison.NONE, comparison.wrongAhead());
     }
 
