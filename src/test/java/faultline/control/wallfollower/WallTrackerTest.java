@@ -1,6 +1,7 @@
 package faultline.control.wallfollower;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.BeforeEach;
@@ -153,5 +154,69 @@ class WallTrackerTest {
         }
         assertEquals(Math.asin(0.1), tracker.heading(), 1e-4);
         assertEquals(9.68, tracker.distance(), 1e-4);
+    }
+
+    @Test
+    void anArcIsRolledAtItsMiddleHeading() {
+        tracker.predict(0.1, 0.2, 0);
+        assertEquals(0.2, tracker.heading(), 1e-12);
+        assertEquals(0.25 - 0.1 * Math.sin(0.1), tracker.distance(), 1e-12);
+    }
+
+    @Test
+    void drivingBackwardsIsTrackedAsFarAsDrivingAheadButTeachesNoHeading() {
+        WallTracker ahead = new WallTracker();
+        ahead.start(0.25);
+        for (int i = 1; i <= 10; i++) {
+            ahead.predict(STEP, 0, 0);
+            ahead.correctDistance(0.25 + 0.002 * i, STEP, RADIUS);
+            tracker.predict(-STEP, 0, 0);
+            tracker.correct(0.25 + 0.002 * i, -STEP, RADIUS);
+        }
+        assertEquals(ahead.distance(), tracker.distance());
+        assertEquals(ahead.drift(), tracker.drift());
+        assertEquals(0, tracker.heading());
+        assertEquals(10 * STEP, tracker.distanceSinceReset(), 1e-12);
+        assertEquals(WallTracker.driftNoiseShare(STEP), WallTracker.driftNoiseShare(-STEP));
+    }
+
+    @Test
+    void backwardsTheRobotLeavesTheWallThatItHeadsFor() {
+        tracker.predict(0, Math.PI / 6, 0);
+        tracker.predict(-0.1, 0, 0);
+        assertEquals(0.3, tracker.distance(), 1e-12);
+    }
+
+    @Test
+    void aMuchNearerReadingIsAnOutlierToo() {
+        tracker.predict(STEP, 0, 0);
+        assertEquals(0, tracker.correctDistance(0.1, STEP, RADIUS));
+        assertEquals(0.1, tracker.distance());
+        assertEquals(0, tracker.innovationCount());
+    }
+
+    @Test
+    void aNewStartForgetsWhatTheTrackerHasLearnt() {
+        tracker.predict(STEP, 0, 0);
+        tracker.correct(0.26, STEP, RADIUS);
+        tracker.turnHeading(0.1);
+        tracker.predict(STEP, 0, 0);
+        tracker.correct(0.26, STEP, RADIUS);
+        assertTrue(tracker.switched());
+        tracker.start(0.3);
+        assertFalse(tracker.switched());
+        assertEquals(0.3, tracker.distance());
+        assertEquals(0, tracker.heading());
+        assertEquals(0, tracker.innovation());
+        assertEquals(0, tracker.innovationCount());
+        assertEquals(0, tracker.drift());
+        assertEquals(0, tracker.distanceSinceReset());
+    }
+
+    @Test
+    void withoutAReadingThereIsNoInnovation() {
+        tracker.correct(0.26, STEP, RADIUS);
+        tracker.predict(STEP, 0, 0);
+        assertEquals(0, tracker.innovation());
     }
 }
