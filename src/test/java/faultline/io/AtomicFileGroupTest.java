@@ -4,12 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.CopyOption;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Files of one command. */
@@ -80,5 +86,58 @@ class AtomicFileGroupTest {
         assertThrows(DirectoryNotEmptyException.class, group::close);
         assertEquals(List.of(first), files());
         Files.delete(inside);
+    }
+
+    @Test
+    void everyFileThatCannotBeDeletedIsReported() throws IOException {
+        AtomicFileGroup group = new AtomicFileGroup();
+        group.create(folder.resolve("a"));
+        Path first = files().get(0);
+        group.create(folder.resolve("b"));
+        Path second =
+                files().stream().filter(file -> !file.equals(first)).findFirst().orElseThrow();
+        for (Path file : List.of(first, second)) {
+            Files.delete(file);
+            Files.createFile(Files.createDirectory(file).resolve("inside"));
+        }
+        IOException failure = assertThrows(DirectoryNotEmptyException.class, group::close);
+        assertEquals(first.toString(), failure.getMessage());
+        assertEquals(
+                List.of(second.toString()),
+                Arrays.stream(failure.getSuppressed())
+                        .map(Throwable::getMessage)
+                        .toList());
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there are no named pipes")
+    void aPipeInThePlaceOfADiscardedFileStays() throws Exception {
+        Path pipe = folder.resolve("pipe");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        Process reader = new ProcessBuilder("cat", pipe.toString()).start();
+        try (AtomicFileGroup group = new AtomicFileGroup()) {
+            group.discard(group.create(pipe));
+            group.commit();
+        }
+        assertEquals(0, reader.waitFor());
+        assertEquals(List.of(pipe), files());
+    }
+
+    /** Network file systems and those that join several others may have no such move. */
+    @Test
+    void aFileIsReplacedWhereTheSystemHasNoAtomicMove() throws IOException {
+        ForwardingFileSystemProvider twoSteps = new ForwardingFileSystemProvider() {
+            @Override
+            public void move(Path source, Path target, CopyOption... options) throws IOException {
+                if (List.of(options).contains(StandardCopyOption.ATOMIC_MOVE)) {
+                    throw new AtomicMoveNotSupportedException(source.toString(), target.toString(), "another disk");
+                }
+                super.move(source, target, options);
+            }
+        };
+        Path old = Files.writeString(folder.resolve("a"), "old");
+        AtomicFile.write(twoSteps.forwarding(old), new byte[] {'x'});
+        assertEquals("x", Files.readString(old));
+        assertEquals(List.of(old), files());
     }
 }
