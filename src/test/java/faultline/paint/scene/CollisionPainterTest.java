@@ -9,6 +9,7 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.paint.surface.RecordingSurface;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaults;
 import faultline.sensor.Fault;
@@ -29,9 +30,13 @@ class CollisionPainterTest {
 
     private static final int WIDTH = 800;
     private static final int HEIGHT = 400;
+    private static final Camera CAMERA = new Camera(4, 2, 100, WIDTH, HEIGHT);
     private static final Vector2 POINT = new Vector2(3.1416, 1.8714);
     private static final MotorFaults WEAK_LEFT =
             new MotorFaults(List.of(new MotorFault.Weak(0.7), new MotorFault.DeadBand(1)), List.of());
+
+    private final RecordingSurface drawn = new RecordingSurface();
+    private final DrawContext context = new DrawContext(drawn, CAMERA, Palette.LIGHT, DrawContext.DEFAULT_FONT);
 
     @Test
     void theBadgeNamesPositionTimeAndObstacleOfTheFirstCollision() {
@@ -48,6 +53,33 @@ class CollisionPainterTest {
         assertEquals(
                 List.of("First collision   x 0.000 m   y 1.871 m   t 12.480 s   desk -0.0"),
                 CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH));
+    }
+
+    @Test
+    void aContactHasASmallRingAndTheCollisionALargeOneWithACross() {
+        CollisionPainter.paint(context, collided("desk", new Pose(4, 1, 0), new Vector2(5, 2)));
+        List<Rectangle2D> marks = drawn.shapes(Palette.LIGHT.collision()).stream()
+                .map(mark -> mark.shape().getBounds2D())
+                .toList();
+        assertEquals(
+                List.of(14L, 20L, 8L, 8L),
+                marks.stream().map(mark -> Math.round(mark.getWidth())).toList());
+        assertEquals(500, marks.get(0).getCenterX(), 1e-9);
+        marks.subList(1, 4).forEach(mark -> assertEquals(100 * POINT.x(), mark.getCenterX(), 1e-9));
+    }
+
+    @Test
+    void theBadgeBeginsWithADotLeftOfItsText() {
+        CollisionPainter.paintBadge(context, collided("desk", new Pose(4, 1, 0)), SceneLabels.ENGLISH, List.of());
+        List<RecordingSurface.DrawnShape> red = drawn.shapes(Palette.LIGHT.collision());
+        Rectangle2D frame = red.get(0).shape().getBounds2D();
+        Rectangle2D dot = red.get(1).shape().getBounds2D();
+        assertTrue(red.get(1).filled());
+        assertEquals(9, dot.getWidth(), 1e-9);
+        assertEquals(frame.getCenterY(), dot.getCenterY(), 1e-9);
+        String text = drawn.texts().get(0);
+        double textX = Double.parseDouble(text.replaceFirst(".* at ([\\d.]+),.*", "$1"));
+        assertTrue(frame.getMinX() < dot.getMinX() && dot.getMaxX() < textX, text);
     }
 
     @Test
@@ -88,22 +120,28 @@ class CollisionPainterTest {
 
     /** Returns a picture of 8 m by 4 m with only the badge. */
     private static BufferedImage paintBadge(String obstacle, Pose robot, List<Rectangle2D> covered) {
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D graphics = image.createGraphics();
+        CollisionPainter.paintBadge(
+                new DrawContext(graphics, CAMERA, Palette.LIGHT),
+                collided(obstacle, robot),
+                SceneLabels.ENGLISH,
+                covered);
+        graphics.dispose();
+        return image;
+    }
+
+    /** Returns a world in which the robot has collided, and has contacts. */
+    private static Snapshot collided(String obstacle, Pose robot, Vector2... contacts) {
         Collision collision = new Collision(POINT, 12.48, 1248, obstacle, Map.of(), List.of(), MotorFaults.NONE);
-        Snapshot world = SampleFrames.frame(
+        return SampleFrames.frame(
                         robot,
                         SampleFrames.pathThrough(robot.position()),
                         List.of(),
                         List.of(),
-                        List.of(),
+                        List.of(contacts),
                         Optional.of(collision))
                 .snapshot();
-        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_ARGB);
-        Graphics2D graphics = image.createGraphics();
-        Camera camera = new Camera(4, 2, 100, WIDTH, HEIGHT);
-        CollisionPainter.paintBadge(
-                new DrawContext(graphics, camera, Palette.LIGHT), world, SceneLabels.ENGLISH, covered);
-        graphics.dispose();
-        return image;
     }
 
     private static int firstWhere(int end, IntPredicate condition) {

@@ -1,6 +1,7 @@
 package faultline.paint.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
@@ -11,6 +12,7 @@ import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.RecordingSurface;
+import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
@@ -62,6 +64,32 @@ class InteractionPainterTest {
         assertEquals(
                 new Rectangle2D.Double(150, 50, 200, 150),
                 drawn.shapes(LIGHT.accent()).get(0).shape().getBounds2D());
+    }
+
+    /** The robot is 0.25 m long and 0.2 m wide, and looks up. */
+    @Test
+    void thePreviewOfTheRobotIsAroundItsPlatform() {
+        Pose up = new Pose(1, 0.5, Math.PI / 2);
+        for (boolean blocked : new boolean[] {false, true}) {
+            drawn.clear();
+            InteractionPainter.paintRobotPreview(context, RobotSpec.DEFAULT, up, blocked);
+            Color colour = blocked ? LIGHT.collision() : LIGHT.accent();
+            Rectangle2D bounds = drawn.shapes(colour).get(0).shape().getBounds2D();
+            assertEquals(300, bounds.getCenterX(), 1e-9);
+            assertEquals(100, bounds.getCenterY(), 1e-9);
+            assertEquals(20, bounds.getWidth(), 1e-9);
+            assertEquals(25, bounds.getHeight(), 1e-9);
+            assertEquals(blocked ? 3 : 1, drawn.shapes(colour).size());
+            assertFalse(drawn.shapes(LIGHT.robot()).isEmpty(), "the robot itself");
+        }
+    }
+
+    @Test
+    void valuesHaveABoxAroundThem() {
+        InteractionPainter.paintValues(context, "1.00 m", List.of(), new Vector2(120, 60));
+        Rectangle2D text = context.measureText("1.00 m");
+        assertEquals(text.getWidth() + 16, box().getWidth(), 1e-9);
+        assertEquals(text.getHeight() + 8, box().getHeight(), 1e-9);
     }
 
     @ParameterizedTest
