@@ -9,6 +9,7 @@ import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Shape;
+import java.awt.geom.PathIterator;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -50,6 +51,35 @@ class ObstacleOutlinesTest {
         Shape outline = ObstacleOutlines.localShape(new ObstacleShape.PolygonShape(bowlTwice));
         assertTrue(outline.contains(0.5, 2));
         assertFalse(outline.contains(1.5, 1.5), "the hole is not inside");
+    }
+
+    private static List<Vector2> square(double side) {
+        return List.of(new Vector2(0, 0), new Vector2(side, 0), new Vector2(side, side), new Vector2(0, side));
+    }
+
+    @Test
+    void aFloorPlanHasRoomsWithinWalls() {
+        List<Vector2> room =
+                square(2).stream().map(corner -> corner.plus(new Vector2(1, 1))).toList();
+        Shape outline = ObstacleOutlines.localShape(new ObstacleShape.PlanShape(List.of(square(4), room)));
+        assertEquals(new Rectangle2D.Double(0, 0, 4, 4), outline.getBounds2D());
+        assertTrue(outline.contains(0.5, 2));
+        assertFalse(outline.contains(2, 2));
+    }
+
+    @Test
+    void thePolygonIsClosedAndTheWallIsNot() {
+        assertEquals(1, closings(new ObstacleShape.PolygonShape(square(1))));
+        assertEquals(0, closings(new ObstacleShape.WallShape(square(1))));
+    }
+
+    private static int closings(ObstacleShape shape) {
+        int count = 0;
+        double[] point = new double[6];
+        for (PathIterator i = ObstacleOutlines.localShape(shape).getPathIterator(null); !i.isDone(); i.next()) {
+            count += i.currentSegment(point) == PathIterator.SEG_CLOSE ? 1 : 0;
+        }
+        return count;
     }
 
     @Test
