@@ -125,7 +125,7 @@ class ScenePainterTest {
                 > 60);
     }
 
-    private static Frame withMotorFaults(Pose pose, MotorFaults faults) {
+    static Frame withMotorFaults(Pose pose, MotorFaults faults) {
         Frame frame = SampleFrames.frameOf(pose);
         Snapshot world = frame.snapshot();
         return new Frame(
