@@ -80,6 +80,15 @@ public final class SampleFrames {
         return pathRecorder(points).view();
     }
 
+    /** A path on which something is faulty from a point on. */
+    public static RobotPath pathWithFault(int from, Vector2... points) {
+        PathRecorder recorder = new PathRecorder();
+        for (int i = 0; i < points.length; i++) {
+            recorder.record(points[i].x(), points[i].y(), PathTag.of(FollowerState.FOLLOW, i >= from));
+        }
+        return recorder.view();
+    }
+
     /** A recording of a path that can go on. */
     static PathRecorder pathRecorder(Vector2... points) {
         PathRecorder recorder = new PathRecorder();

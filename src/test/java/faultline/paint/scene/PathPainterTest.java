@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.FollowerState;
 import faultline.engine.ControllerMode;
 import faultline.engine.Frame;
+import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -13,12 +14,16 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
+import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.paint.surface.RecordingSurface;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -46,6 +51,58 @@ class PathPainterTest {
         Pixels picture = Pixels.render(frame, Palette.LIGHT);
         assertTrue(picture.hasNear(Palette.LIGHT.path(), new Vector2(4.5, 2.63), 3), "on the way out");
         assertTrue(picture.hasNear(Palette.LIGHT.path(), new Vector2(4.5, 1), 3), "on the way back");
+    }
+
+    /** Points along the x axis; 50 pixels are a metre, and the middle of the picture is the origin. */
+    private static Vector2[] along(double... x) {
+        return Arrays.stream(x).mapToObj(each -> new Vector2(each, 0)).toArray(Vector2[]::new);
+    }
+
+    private final RecordingSurface drawn = new RecordingSurface();
+
+    private PathPainter.PaintedSection paint(RobotPath path, PathStyle style, int from, int most) {
+        Camera camera = new Camera(0, 0, 50, 400, 300);
+        DrawContext context = new DrawContext(drawn, camera, Palette.LIGHT, DrawContext.DEFAULT_FONT);
+        return PathPainter.paint(context, path, style, from, most, camera.bounds());
+    }
+
+    @Test
+    void linesOfTwoColoursMeet() {
+        RobotPath path = SampleFrames.pathWithFault(3, along(0, 0.99, 1, 2, 3));
+        paint(path, PathStyle.FAULTS, 0, Integer.MAX_VALUE);
+        assertEquals(
+                List.of("200.0,150.0 249.5,150.0 250.0,150.0", "250.0,150.0 300.0,150.0 350.0,150.0"), drawn.shapes());
+        assertEquals(1, drawn.shapes(Palette.LIGHT.muted()).size());
+    }
+
+    @Test
+    void pointsThatAlmostCoincideAreLeftOutButTheLastIsNot() {
+        paint(SampleFrames.pathThrough(along(0, 0.01, 0.02, 0.03, 1, 1.01)), PathStyle.RUN, 0, Integer.MAX_VALUE);
+        assertEquals(List.of("200.0,150.0 201.0,150.0 250.0,150.0 250.5,150.0"), drawn.shapes());
+    }
+
+    @Test
+    void aSectionEndsWithTheLastOfItsPointsWhereTheNextBegins() {
+        RobotPath path = SampleFrames.pathThrough(along(-1, 0, 1, 2, 3));
+        PathPainter.PaintedSection first = paint(path, PathStyle.RUN, 0, 2);
+        assertEquals(3, first.endIndex());
+        assertEquals(2 + 2.0 / 8, first.cost(), "points that are not drawn cost an eighth");
+        PathPainter.PaintedSection second = paint(path, PathStyle.RUN, first.endIndex() - 1, 100);
+        assertEquals(path.size(), second.endIndex());
+        assertEquals(
+                List.of("150.0,150.0 200.0,150.0 250.0,150.0", "250.0,150.0 300.0,150.0 350.0,150.0"), drawn.shapes());
+    }
+
+    @Test
+    void aLineThatCrossesTheViewIsDrawnWholeAndOneBesideItIsNot() {
+        paint(SampleFrames.pathThrough(along(-9, 9)), PathStyle.RUN, 0, 100);
+        assertEquals(List.of("-250.0,150.0 650.0,150.0"), drawn.shapes());
+        drawn.clear();
+        paint(SampleFrames.pathThrough(along(5, 9)), PathStyle.RUN, 0, 100);
+        assertEquals(List.of(), drawn.shapes());
+        // The edge of the line is 1 pixel inside the view.
+        paint(SampleFrames.pathThrough(new Vector2(4.03, -1), new Vector2(4.03, 1)), PathStyle.RUN, 0, 100);
+        assertEquals(List.of("401.5,200.0 401.5,100.0"), drawn.shapes());
     }
 
     @Test
