@@ -15,6 +15,7 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.paint.surface.RecordingSurface;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -99,6 +100,53 @@ class ReferenceOverlayPainterTest {
         double heading = world.pose().heading();
         double turned = 30 * (Math.abs(Math.cos(heading)) + Math.abs(Math.sin(heading)));
         assertEquals(turned, area.width, 5, "0.1 m at 300 pixels per metre, and the width of the line");
+    }
+
+    @Test
+    void aMarkIsOnThePathWithItsLabelAboveAndTheCaptionHasAllItsLines() {
+        ReferenceOverlay office = SampleReferenceOverlays.office();
+        Vector2 place = office.run().pose(1000).position();
+        RecordingSurface drawn = new RecordingSurface();
+        Camera camera = new Camera(place.x(), place.y(), 60, WIDTH, HEIGHT);
+        DrawContext context = new DrawContext(drawn, camera, Palette.LIGHT, DrawContext.DEFAULT_FONT);
+        Snapshot world = SampleFrames.frameOf(new Pose(1, 6, 0)).snapshot();
+        ReferenceOverlayPainter.paintAnnotations(
+                context, office, world, ReferenceOverlayPainter.createCornerChoice(), List.of());
+        List<String> diamond = drawn.shapes(Palette.LIGHT.reference()).stream()
+                .map(Object::toString)
+                .limit(2)
+                .toList();
+        assertEquals(
+                List.of("392.0,250.0 400.0,242.0 408.0,250.0 400.0,258.0 closed", "396.0,254.0 404.0,246.0"), diamond);
+        List<String> texts = drawn.texts();
+        assertEquals(
+                List.of("differs from 10 s", "Ghost: Office", "Differs from 10 s on"),
+                texts.stream().map(text -> text.replaceFirst(" at .*", "")).toList());
+        double baseline = Double.parseDouble(texts.get(0).replaceFirst(".*,", ""));
+        assertTrue(baseline > 225 && baseline < 242, texts::toString);
+    }
+
+    @Test
+    void theGhostHasAnArrowAheadOfItsMiddle() throws ScenarioException {
+        ReferenceOverlay ghost = ghostOf(0.2, 300);
+        Pose pose = ghost.run().pose(300);
+        RecordingSurface drawn = new RecordingSurface();
+        Camera camera = new Camera(pose.x(), pose.y(), 500, WIDTH, HEIGHT);
+        ReferenceOverlayPainter.paintRobot(
+                new DrawContext(drawn, camera, Palette.LIGHT, DrawContext.DEFAULT_FONT), ghost, officeAt(300));
+        Vector2 tip = camera.toScreen(pose.toParent(new Vector2(0.06, 0)));
+        String text = Math.round(tip.x() * 10) / 10.0 + "," + Math.round(tip.y() * 10) / 10.0;
+        assertEquals(text, drawn.shapes().get(1).split(" ")[1]);
+    }
+
+    /** The quotient of 0.29 s and the tick of 0.01 s is less than 29. */
+    @Test
+    void theGhostIsWhereItsRobotWasAtTheSameTick() throws ScenarioException {
+        ReferenceOverlay ghost = ghostOf(0.2, 300);
+        double dt = ghost.run().setup().dt();
+        for (int tick = 0; tick <= 300; tick++) {
+            assertEquals(ghost.run().pose(tick), ghost.poseAt(tick * dt), "tick " + tick);
+        }
     }
 
     @Test
