@@ -140,6 +140,8 @@ class MapImageReaderTest {
         }
         MapImage map = asPng(image);
         assertTwoRows(map);
+        image.getRaster().setSample(0, 0, 0, 1);
+        assertFalse(asPng(image).isTransparent(0, 0), "the darkest grey");
         for (int i = 0; i < 6; i++) {
             assertEquals(i == 4, map.isTransparent(i % 3, i / 3), "pixel " + i);
         }
