@@ -43,6 +43,12 @@ class MessageTextTest {
     }
 
     @Test
+    void theStartOfAShortTextIsTheText() {
+        assertEquals("", MessageText.start("", 1));
+        assertEquals("ab", MessageText.start("ab", 3));
+    }
+
+    @Test
     void aNameHasSingleBlanksAndNoneAtItsEnds() {
         assertEquals("my robot", MessageText.name(" my \n\t robot\u202e "));
         assertEquals("", MessageText.name(" \n"));
@@ -55,6 +61,7 @@ class MessageTextTest {
                     """
                     a b     | a b
                     a,b     | "a,b"
+                    ,b      | ",b"
                     say "a" | "say ""a""\"
                     =1+1    | '=1+1
                     -1.5    | -1.5
