@@ -1,5 +1,6 @@
 package faultline.paint.export;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -58,6 +59,14 @@ class ColourQuantizerTest {
             assertTrue(visible <= 3 * 7 * 7, () -> "a difference of " + visible);
         }
         assertEquals(COMMON, reduced[all.length - 1]);
+    }
+
+    @Test
+    void frequentColoursThatDifferByEightInOneChannelStayApart() {
+        int[] pairs = {0x207050, 0x287050, 0x702050, 0x702850, 0x705020, 0x705028};
+        BufferedImage picture = picture(pairs);
+        assertArrayEquals(
+                pairs, colours(ColourQuantizer.of(Palette.LIGHT, picture).quantize(picture)));
     }
 
     @Test
