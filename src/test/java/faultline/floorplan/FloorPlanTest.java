@@ -244,6 +244,10 @@ class FloorPlanTest {
     @ValueSource(
             strings = {
                 "{image: m.pgm, resolution: 5e-2, origin: [-10, 2.5, 0.5], negate: 1}",
+                "{image: m.pgm,resolution: 0.05,origin: [-10,2.5,0.5],negate: 1}",
+                "{'a, b': 1, image: m.pgm, \"c, {\": 2, resolution: 0.05, origin: [-10, 2.5, 0.5], negate: 1}",
+                "{is: it? 'tis, image: m.pgm, resolution: 0.05, origin: [-10, 2.5, 0.5], negate: 1}",
+                "{note: '', image: 'm.pgm', resolution: 0.05, origin: [-10, 2.5, 0.5], negate: 1}",
                 "{\"image\": \"m.pgm\", \"resolution\": 0.05, \"origin\": [-10, 2.5, 0.5], \"negate\": 1}",
                 "%YAML 1.2\n---\n{ # all\n  image: 'm.pgm',\n  resolution: 0.05, # m\n"
                         + "  origin: [-10,\n 2.5,\n 0.5],\n negate: 1,\n}\n",
@@ -425,6 +429,8 @@ class FloorPlanTest {
             P5 2 9 65535 0           | the image ends after 1 bytes of pixels, 36 are needed
             P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
             P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
+            P2 2 1 0 0 0             | the maximum value is 0; expected 1 to 65535
+            P2 2 1 65536 0 0         | the maximum value is 65536; expected 1 to 65535
             P1 2 1 0 1               | the format of the image is P1; expected P2 or P5
             P7 2 1 255 0             | the format of the image is P7; expected P2 or P5
             P0 2 1 255 0             | the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF

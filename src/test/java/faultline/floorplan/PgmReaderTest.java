@@ -33,6 +33,30 @@ class PgmReaderTest {
     }
 
     @Test
+    void anImageMayHaveTwoLevels() throws IOException {
+        MapImage image = read("P2 2 1 1 0 1");
+        assertEquals(1, image.white());
+        assertEquals(1, image.sample(1, 0));
+    }
+
+    /** Some editors add a line feed at the end of a file. */
+    @Test
+    void bytesAfterThePixelsDoNotMoveThem() throws IOException {
+        for (String end : new String[] {"\n", "\r", " "}) {
+            MapImage image = read("P5 2 1 255" + end + "\5\7\n");
+            assertEquals(5, image.sample(0, 0));
+            assertEquals(7, image.sample(1, 0));
+        }
+    }
+
+    @Test
+    void aHeaderBeforeSamplesOfTwoBytesMayEndWithTwoBytes() throws IOException {
+        MapImage image = read("P5 2 1 65535\r\n\0\5\0\7");
+        assertEquals(5, image.sample(0, 0));
+        assertEquals(7, image.sample(1, 0));
+    }
+
+    @Test
     void theFirstOfTwoBytesIsTheMoreSignificant() throws IOException {
         assertEquals(0x0102, read("P5 1 1 65535\n\1\2").sample(0, 0));
     }
