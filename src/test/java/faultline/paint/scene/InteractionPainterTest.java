@@ -164,6 +164,23 @@ class InteractionPainterTest {
     }
 
     @Test
+    void whatIsSelectedAndItsHandlesHaveOutlines() {
+        SelectionPainter.paintOutline(context, DISC);
+        assertEquals(
+                new Rectangle2D.Double(150, 100, 100, 100),
+                drawn.shapes(LIGHT.accent()).get(0).shape().getBounds2D());
+        drawn.clear();
+        SelectionPainter.paintSquareHandle(context, new Vector2(10, 20));
+        assertEquals(box(), drawn.shapes(LIGHT.accent()).get(0).shape().getBounds2D());
+        drawn.clear();
+        SelectionPainter.paintCone(context, new Sector(new RigidMotion(1, 0, 0, 0), 0.8, 0.6, 1));
+        Rectangle2D cone = drawn.shapes(LIGHT.accent()).get(0).shape().getBounds2D();
+        assertEquals(100, cone.getWidth(), 1e-9);
+        assertEquals(120, cone.getHeight(), 1e-9);
+        assertEquals(1 + 3, drawn.shapes(LIGHT.accent()).size(), "the cone and its handles");
+    }
+
+    @Test
     void waypointsOutsideTheObstacleHaveHandles() {
         Obstacle moving = DISC.withMotion(
                 new WaypointPath(0.1, false, List.of(new Vector2(0.2, 0), new Vector2(1, 1), new Vector2(-1, 1))));
