@@ -88,9 +88,14 @@ class ControllerComparisonTest {
     }
 
     @Test
-    void brokenRunsCountAsSeeds() {
-        String html = comparison("Room", runs("own", BROKEN, 1)).html();
+    void aPageHasAPictureOfEachNumberAndBrokenRunsCountAsSeeds() {
+        ControllerRuns own = runs("own", BROKEN, 1);
+        String html = comparison("Room", own).html();
+        assertTrue(html.contains("<h1>Controllers in Room</h1>"), html);
         assertTrue(html.contains("Seeds: 7 to 8."), html);
+        for (Metric metric : Metric.values()) {
+            assertTrue(html.contains(ComparisonChart.spread(metric, List.of(own))), metric.column());
+        }
         assertFalse(html.contains("Differences"), "there is one controller");
     }
 
@@ -122,6 +127,7 @@ class ControllerComparisonTest {
         ControllerRuns none = runs("none", BROKEN);
         assertEquals(List.of(), comparison("Room", none, none).sameRunRemarks());
         ControllerRuns one = runs("one", List.of(), 1);
+        assertEquals(List.of(), comparison("Room", none, one).sameRunRemarks());
         assertEquals(
                 List.of("the completed runs of the controllers 2 and 3 are the same"),
                 comparison("Room", none, one, one).sameRunRemarks());
