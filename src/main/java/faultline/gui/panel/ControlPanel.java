@@ -98,7 +98,6 @@ public final class ControlPanel extends JPanel {
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         UiText.name(tabs, "panel");
-        tabs.addChangeListener(event -> moveFocusToTitle());
         KeyBindings.bind(tabs, "PAGE_UP", () -> scrollByPage(-1));
         KeyBindings.bind(tabs, "PAGE_DOWN", () -> scrollByPage(1));
         robotTab = createColumn(
@@ -175,14 +174,6 @@ public final class ControlPanel extends JPanel {
         }
     }
 
-    /** Moves the focus from a tab that was left to the title of the chosen one; Swing moves it to the first field. */
-    private void moveFocusToTitle() {
-        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        if (owner != null && SwingUtilities.isDescendingFrom(owner, tabs)) {
-            tabs.requestFocusInWindow();
-        }
-    }
-
     /** Adds a tab with the key of its name and its sections from top to bottom. */
     public void addTab(String key, JComponent... sections) {
         addTab(key, createColumn(sections));
@@ -219,7 +210,15 @@ public final class ControlPanel extends JPanel {
                                 ? size
                                 : new Dimension(size.width, Math.min(size.height, first.getPreferredSize().height));
                     }
+
+                    /** Moves the focus from a tab that was left to the title of this one, not to its first field. */
+                    @Override
+                    @SuppressWarnings("deprecation") // Called by the tabs if they cannot focus this component.
+                    public boolean requestDefaultFocus() {
+                        return tabs.requestFocusInWindow();
+                    }
                 };
+        scroll.setFocusable(false);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         UiText.addTab(tabs, key, scroll);
     }

@@ -26,6 +26,7 @@ import javax.swing.JComboBox;
 import javax.swing.JDialog;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -115,6 +116,20 @@ class ControlsRobotTest {
         driver.robot().waitFor("the focus of the tab", tabs::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_SPACE);
         driver.robot().waitFor("the run", driver::isRunning);
+    }
+
+    /** A field that was clicked just before has its focus, but not yet all events of it. */
+    @Test
+    void aTabHasTheFocusAlsoRightAfterAFieldOfTheLastTabHadIt() {
+        JTabbedPane tabs = callOnEdt(() -> ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel"));
+        clickTab(tabs, 1);
+        JCheckBox diagnosis = ComponentFinder.find(driver.window(), JCheckBox.class, "Diagnosis");
+        runOnEdt(() -> {
+            diagnosis.requestFocusInWindow();
+            SwingUtilities.invokeLater(() -> tabs.setSelectedIndex(0));
+        });
+        driver.robot().waitFor("tab 0", () -> tabs.getSelectedIndex() == 0);
+        driver.robot().waitFor("the focus of the tab", tabs::isFocusOwner);
     }
 
     private void clickTab(JTabbedPane tabs, int index) {
