@@ -29,6 +29,21 @@ public sealed interface Command {
     <R> R match(CommandCases<R> cases);
 
     /**
+     * {@return whether this command changes the setup of a run; all others belong to a time of the run: switches of
+     * sensors, faults and repairs}
+     */
+    default boolean changesSetup() {
+        return match(CommandCases.ofSetup(
+                timed -> false,
+                setting -> true,
+                setting -> true,
+                setting -> true,
+                setting -> true,
+                setting -> true,
+                setting -> true));
+    }
+
+    /**
      * {@return a robot after this command; the robot itself if the command is about something else}
      *
      * @param robot the robot before this command

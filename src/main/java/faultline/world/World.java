@@ -208,8 +208,8 @@ public final class World {
         return collisions.isEmpty() ? Optional.empty() : Optional.of(collisions.get(0));
     }
 
-    /** Returns the obstacles at their current poses. */
-    List<Obstacle> obstacles() {
+    /** {@return the obstacles at their current poses, in drawing order} */
+    public List<Obstacle> obstacles() {
         return obstacleSet.obstacles();
     }
 

@@ -14,10 +14,11 @@ import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
-import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import java.util.stream.DoubleStream;
 
 /**
@@ -60,9 +61,7 @@ public final class CarryOnMetrics implements TickObserver {
     private final WallCircuit circuit;
     private final double speed;
     private final double onset;
-    /**
-     * Whether the clock starts only in a state of the built-in wall follower, because it is not the first controller.
-     */
+    /** Whether the clock starts only in a state of the built-in wall follower. */
     private final boolean needsFollowerState;
 
     private final int[] passes;
@@ -86,7 +85,11 @@ public final class CarryOnMetrics implements TickObserver {
      * @param circuit the {@link #circuit} of its world
      */
     public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
-        this(circuit, setup.robot().speed(), onset(setup), isFollowerLate(setup));
+        this(circuit, FirstTick.setup(setup));
+    }
+
+    private CarryOnMetrics(WallCircuit circuit, SimulationSetup firstTick) {
+        this(circuit, firstTick.robot().speed(), onset(firstTick), needsFollowerState(firstTick));
     }
 
     /**
@@ -111,10 +114,11 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     /** Returns the time of the last fault or that of the first wall follower, if that is later, seconds. */
-    private static double onset(SimulationSetup setup) {
-        double follower =
-                lateFollower(setup).map(timed -> startTime(setup, timed)).orElse(0.0);
-        return Math.max(follower, faultTimes(setup).max().orElse(0));
+    private static double onset(SimulationSetup firstTick) {
+        double follower = lateFollower(firstTick)
+                .map(timed -> startTime(firstTick, timed))
+                .orElse(0.0);
+        return Math.max(follower, faultTimes(firstTick).max().orElse(0));
     }
 
     private double allowedTime(double length) {
@@ -129,8 +133,9 @@ public final class CarryOnMetrics implements TickObserver {
      * @throws WallReference.PathTooLongException if the path is too long
      */
     public static WallCircuit circuit(SimulationSetup setup) {
-        OptionalDouble distance = wantedDistance(setup);
-        return distance.isPresent() ? circuit(setup.world(), distance.getAsDouble()) : WallCircuit.empty();
+        SimulationSetup firstTick = FirstTick.setup(setup);
+        OptionalDouble distance = wantedDistance(firstTick);
+        return distance.isPresent() ? circuit(firstTick.world(), distance.getAsDouble()) : WallCircuit.empty();
     }
 
     /** Returns the {@link #circuit} of a world at a distance of the robot's centre from the walls, metres. */
@@ -147,30 +152,43 @@ public final class CarryOnMetrics implements TickObserver {
      * @param setup the setup
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
-        ControllerSpec controller = lateFollower(setup)
+        SimulationSetup firstTick = FirstTick.setup(setup);
+        ControllerSpec controller = lateFollower(firstTick)
                 .<ControllerSpec>map(timed -> ((Command.ConfigureController) timed.command()).controller())
-                .orElse(setup.controller());
-        return wantedDistance(controller, setup.robot());
+                .orElse(firstTick.controller());
+        return wantedDistance(controller, firstTick.robot());
     }
 
-    /** Returns the first command by which the timeline starts a wall follower; empty if the run begins with one. */
-    private static Optional<SimulationSetup.TimedCommand> lateFollower(SimulationSetup setup) {
-        return setup.timeline().stream()
-                .filter(timed -> isFollowerLate(setup)
-                        && timed.command() instanceof Command.ConfigureController change
+    /**
+     * Returns the first command by which the timeline starts a wall follower; empty if the run begins with one. Of the
+     * commands of one tick, the last one counts.
+     */
+    private static Optional<SimulationSetup.TimedCommand> lateFollower(SimulationSetup firstTick) {
+        if (!(firstTick.controller() instanceof ControllerSpec.BuiltIn)
+                || firstTick.controller() instanceof ControllerSpec.WallFollowing) {
+            return Optional.empty();
+        }
+        Map<Long, SimulationSetup.TimedCommand> lastOfTicks = new TreeMap<>();
+        firstTick.timeline().stream()
+                .filter(timed -> timed.command() instanceof Command.ConfigureController)
+                .forEach(timed -> lastOfTicks.put(firstTick.tickAt(timed.time()), timed));
+        return lastOfTicks.values().stream()
+                .filter(timed -> timed.command() instanceof Command.ConfigureController change
                         && change.controller() instanceof ControllerSpec.WallFollowing)
-                .min(Comparator.comparingDouble(SimulationSetup.TimedCommand::time));
+                .findFirst();
     }
 
-    /** Returns whether a command must start a wall follower if there is to be one. */
-    private static boolean isFollowerLate(SimulationSetup setup) {
-        return setup.controller() instanceof ControllerSpec.BuiltIn builtIn
-                && !(builtIn instanceof ControllerSpec.WallFollowing);
+    /**
+     * Returns whether only the states of the built-in wall follower are at a wall, because the other states are those
+     * of controllers that follow none.
+     */
+    private static boolean needsFollowerState(SimulationSetup setup) {
+        return setup.controller() instanceof ControllerSpec.BuiltIn;
     }
 
     /** Returns whether the robot has met a wall if its controller is in a state. */
     static boolean isAtWall(SimulationSetup setup, ControllerState state) {
-        return isAtWall(state, isFollowerLate(setup));
+        return isAtWall(state, needsFollowerState(setup));
     }
 
     private static boolean isAtWall(ControllerState state, boolean needsFollowerState) {

@@ -1,12 +1,15 @@
 package faultline.engine.metrics;
 
 import faultline.control.ControllerState;
+import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.walls.WallCircuit;
 import faultline.engine.walls.WallReference;
 import faultline.geometry.Vector2;
+import faultline.world.Command;
+import java.util.List;
 import java.util.OptionalDouble;
 
 /**
@@ -15,8 +18,10 @@ import java.util.OptionalDouble;
  */
 public final class RunMeter implements TickObserver {
 
-    private final SimulationSetup setup;
-    private final WallFollowingMetrics wall;
+    /** The setup of the first tick. */
+    private SimulationSetup setup;
+
+    private WallFollowingMetrics wall;
     /** Null until the robot reaches a wall, because finding the paths along walls takes long in large worlds. */
     private CarryOnMetrics laps;
     /** Whether the run is at the end of its duration. */
@@ -28,12 +33,20 @@ public final class RunMeter implements TickObserver {
      * @param setup the setup of the run
      */
     public RunMeter(SimulationSetup setup) {
-        this.setup = setup;
-        wall = new WallFollowingMetrics(setup);
+        start(FirstTick.setup(setup));
+    }
+
+    private void start(SimulationSetup firstTick) {
+        setup = firstTick;
+        wall = new WallFollowingMetrics(firstTick);
+        laps = null;
     }
 
     @Override
     public void observe(Simulation simulation) {
+        if (simulation.ticks() == 1) {
+            startWithEdits(simulation.journal());
+        }
         wall.observe(simulation);
         atEnd = simulation.ticks() == setup.ticks();
         ControllerState state = simulation.telemetry().state();
@@ -44,6 +57,19 @@ public final class RunMeter implements TickObserver {
             // The circuit is that of the first wanted distance.
             Vector2 centre = wall.atStartDistance(simulation.pose().position());
             laps.update(simulation.time(), centre, state, simulation.collision().isPresent());
+        }
+    }
+
+    /** Starts again if commands from outside have changed what the run starts with. */
+    @SuppressWarnings("ReferenceEquality") // The same object if they have not.
+    private void startWithEdits(Journal journal) {
+        List<Command> commands = journal.entries().stream()
+                .filter(entry -> entry.tick() <= 1)
+                .map(Journal.Entry::command)
+                .toList();
+        SimulationSetup edited = FirstTick.setup(setup, commands);
+        if (edited != setup) {
+            start(edited);
         }
     }
 

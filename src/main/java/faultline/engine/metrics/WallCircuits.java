@@ -27,15 +27,16 @@ public final class WallCircuits {
      * @throws WallReference.PathTooLongException if the path is too long
      */
     public WallCircuit forCarryOn(SimulationSetup setup) {
+        SimulationSetup firstTick = FirstTick.setup(setup);
         CircuitKey key = new CircuitKey(
-                setup.world(), CarryOnMetrics.wantedDistance(setup).orElse(Double.NaN));
+                firstTick.world(), CarryOnMetrics.wantedDistance(firstTick).orElse(Double.NaN));
         synchronized (kept) {
             WallCircuit known = kept.get(key);
             if (known != null) {
                 return known;
             }
         }
-        WallCircuit circuit = CarryOnMetrics.circuit(setup);
+        WallCircuit circuit = CarryOnMetrics.circuit(firstTick);
         synchronized (kept) {
             kept.put(key, circuit);
             while (kept.size() > MAX_KEPT || keptPlaces() > WallReference.MAX_PLACES) {

@@ -62,12 +62,17 @@ final class WallFollowingMetrics implements TickObserver {
     private final MeanSquare straightError = new MeanSquare();
     private final MeanSquare followError = new MeanSquare();
 
-    /** Creates metrics of one run. */
+    /** Creates metrics of one run without commands from outside in its first tick. */
     WallFollowingMetrics(SimulationSetup setup) {
-        this(setup, Coverage::new);
+        this(FirstTick.setup(setup), Coverage::new);
     }
 
-    /** Creates metrics of one run with a coverage for its walls and the wanted distance. */
+    /**
+     * Creates metrics of one run with a coverage for its walls and the wanted distance.
+     *
+     * @param setup the {@linkplain FirstTick setup of the first tick}
+     * @param newCoverage creates the coverage
+     */
     WallFollowingMetrics(SimulationSetup setup, BiFunction<WallReference, Double, Coverage> newCoverage) {
         controller = setup.controller();
         robot = setup.robot();

@@ -3,7 +3,6 @@ package faultline.gui.change;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
-import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,7 +12,6 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
@@ -22,18 +20,11 @@ import java.util.stream.Collectors;
  */
 public final class TimelineEvents {
 
-    private static final CommandCases<Boolean> IS_EVENT =
-            CommandCases.ofSetup(event -> true, other(), other(), other(), other(), other(), other());
-
     private TimelineEvents() {}
-
-    private static <C> Function<C, Boolean> other() {
-        return command -> false;
-    }
 
     /** Returns whether a command belongs to a time of the run. */
     public static boolean isEvent(Command command) {
-        return command.match(IS_EVENT);
+        return !command.changesSetup();
     }
 
     /**

@@ -20,6 +20,7 @@ import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -225,6 +226,33 @@ class CarryOnMetricsTest {
         assertEquals(OptionalDouble.empty(), late.clockStart());
         late.update(7, Vector2.ZERO, FollowerState.TURN, false);
         assertEquals(OptionalDouble.of(7), late.clockStart());
+    }
+
+    @Test
+    void ofTheControllersOfOneTickOnlyTheLastOneStarts() {
+        ControllerSpec.WallFollowing last = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.3);
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1, 0))
+                .withController(new ControllerSpec.None());
+        List<SimulationSetup.TimedCommand> changes = Stream.of(
+                        ControllerSpec.WallFollowing.DEFAULT, new ControllerSpec.None(), last)
+                .map(Command.ConfigureController::new)
+                .map(change -> new SimulationSetup.TimedCommand(5, change))
+                .toList();
+        assertEquals(
+                CarryOnMetrics.wantedDistance(last, setup.robot()),
+                CarryOnMetrics.wantedDistance(setup.withTimeline(changes)));
+        assertEquals(OptionalDouble.empty(), CarryOnMetrics.wantedDistance(setup.withTimeline(changes.subList(0, 2))));
+    }
+
+    @Test
+    void theClockDoesNotStartInAStateOfAControllerThatFollowsNoWall() {
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1, 0));
+        CarryOnMetrics built = new CarryOnMetrics(setup, circuit());
+        built.update(3, Vector2.ZERO, ControllerState.of("NONE"), false);
+        assertEquals(OptionalDouble.empty(), built.clockStart());
+        CarryOnMetrics own = new CarryOnMetrics(setup.withController(new ControllerSpec.Extern(0)), circuit());
+        own.update(3, Vector2.ZERO, ControllerState.of("NONE"), false);
+        assertEquals(OptionalDouble.of(3), own.clockStart());
     }
 
     @Test

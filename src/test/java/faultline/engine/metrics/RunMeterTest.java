@@ -25,15 +25,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 class RunMeterTest {
 
     private static final double DURATION = 120;
+    private static final Obstacle CUPBOARD =
+            new Obstacle("cupboard", new ObstacleShape.RectangleShape(0.9, 0.4), new Pose(3.2, 2.68, 0));
     private static final SimulationSetup SETUP = SimulationSetup.of(
-                    new WorldSpec(
-                            3.7,
-                            2.9,
-                            true,
-                            3,
-                            List.of(new Obstacle(
-                                    "cupboard", new ObstacleShape.RectangleShape(0.9, 0.4), new Pose(3.2, 2.68, 0)))),
-                    new Pose(1.3, 1.1, 2))
+                    new WorldSpec(3.7, 2.9, true, 3, List.of(CUPBOARD)), new Pose(1.3, 1.1, 2))
             .withSeed(5150)
             .withDuration(DURATION);
 
@@ -120,6 +115,30 @@ class RunMeterTest {
         RunMeasures changed = measures(room, follow(1, 0.6));
         assertTrue(changed.coverage() > 0.8, "coverage: " + changed.coverage());
         assertTrue(changed.laps() > 1.5, "laps: " + changed.laps());
+    }
+
+    /** A user draws the cupboard and sets the distance while the run is at 0 s. */
+    @Test
+    void whatIsEditedBeforeTheFirstTickIsMeasuredAsIfTheScenarioHadIt() {
+        ControllerSpec.WallFollowing near = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.3);
+        SimulationSetup empty = SETUP.withWorld(SETUP.world().withObstacles(List.of()));
+        RunMeter meter = new RunMeter(empty);
+        try (Simulation simulation = new Simulation(empty, ControllerMode.DIRECT)) {
+            meter.observe(simulation);
+            simulation.execute(new Command.PlaceObstacle(CUPBOARD));
+            simulation.execute(new Command.ConfigureController(near));
+            while (simulation.ticks() < empty.ticks()) {
+                simulation.tick();
+                meter.observe(simulation);
+            }
+        }
+        RunMeasures saved = measures(SETUP.withController(near));
+        RunMeasures edited = meter.measures();
+        assertEquals(saved.coverage(), edited.coverage());
+        assertEquals(saved.laps(), edited.laps());
+        // The controller has its settings one tick later.
+        assertEquals(saved.distanceRms(), edited.distanceRms(), 1e-9);
+        assertEquals(saved.followRms(), edited.followRms(), 1e-9);
     }
 
     @Test

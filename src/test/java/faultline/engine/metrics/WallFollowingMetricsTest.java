@@ -119,7 +119,7 @@ class WallFollowingMetricsTest {
         RunResult result = run(
                 start,
                 160,
-                new SimulationSetup.TimedCommand(0, new Command.ConfigureController(start.withDistance(0.4))),
+                new SimulationSetup.TimedCommand(1, new Command.ConfigureController(start.withDistance(0.4))),
                 new SimulationSetup.TimedCommand(0, new Command.InjectFault("left", new Fault.Bias(0.02))));
         assertEquals(0.02, result.distanceRms().orElse(1), 0.001);
         assertEquals(0.94, result.coverage().orElse(-1), 0.005, "all but the corners");
