@@ -177,10 +177,10 @@ final class CommandLine {
         }
         String first = args.get(0);
         if (HELP_WORDS.contains(first)) {
-            return println(help(args.subList(1, args.size())));
+            return println(help(first, args.subList(1, args.size())));
         }
         if (COMMANDS.contains(first)) {
-            return args.contains(HELP) || args.contains(SHORT_HELP)
+            return args.contains(HELP) || hasShortHelp(args)
                     ? println(HelpText.help(first))
                     : runGuarded(first, args.subList(1, args.size()));
         }
@@ -202,14 +202,20 @@ final class CommandLine {
         return hint.isEmpty() && option ? "; options follow it" : hint;
     }
 
-    /** Returns the help of a command, or of all if none is named. */
-    private static String help(List<String> commands) throws UsageException {
+    /** Returns whether arguments ask for help by one letter, which after an option may be its value. */
+    private static boolean hasShortHelp(List<String> args) {
+        int at = args.indexOf(SHORT_HELP);
+        return at > 0 && !args.get(at - 1).startsWith("--");
+    }
+
+    /** Returns the help of a command, or of all if none is named, for a word that asks for it. */
+    private static String help(String word, List<String> commands) throws UsageException {
         if (commands.isEmpty()) {
             return HelpText.help();
         }
         String command = String.join(" ", commands);
         if (!COMMANDS.contains(command)) {
-            throw new UsageException("--help takes the name of one command, not " + MessageText.quoted(command)
+            throw new UsageException(word + " takes the name of one command, not " + MessageText.quoted(command)
                     + DidYouMean.hint(command, COMMANDS));
         }
         return HelpText.help(command);

@@ -73,7 +73,11 @@ final class RunOutputs implements AutoCloseable {
                 : "";
         try {
             for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {
-                opened.put(output.getKey(), files.create(output.getValue()));
+                // A device or a pipe has no files beside it.
+                if (output.getKey() != Output.TRACE_HEADER
+                        || !opened.get(Output.TRACE).isStream()) {
+                    opened.put(output.getKey(), files.create(output.getValue()));
+                }
             }
         } catch (IOException e) {
             files.close();

@@ -69,6 +69,11 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
+    /** {@return whether this is a device or a pipe, which is written directly} */
+    public boolean isStream() {
+        return temporary == null;
+    }
+
     /**
      * Deletes the temporary files that killed processes have left in a folder.
      *

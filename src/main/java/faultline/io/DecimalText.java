@@ -21,6 +21,12 @@ public final class DecimalText {
     /** Numbers beyond this power of ten are written with an exponent. */
     private static final int MAX_PLAIN_EXPONENT = 15;
 
+    /** The digits of a rounded number. */
+    private static final int ROUNDED_DIGITS = 3;
+
+    /** The digits with which every number differs from all others. */
+    private static final int MAX_DIGITS = 17;
+
     /** A number with so many digits, or fewer and a point, is short. */
     public static final int MAX_SHORT_LENGTH = 15;
 
@@ -178,24 +184,31 @@ public final class DecimalText {
      * @param value the number
      */
     public static String formatRounded(double value) {
+        return formatRounded(value, ROUNDED_DIGITS);
+    }
+
+    private static String formatRounded(double value, int digits) {
         return new BigDecimal(value)
-                .round(new MathContext(3))
+                .round(new MathContext(digits))
                 .stripTrailingZeros()
                 .toPlainString();
     }
 
     /**
-     * {@return the text of a number that a limit refuses, rounded to three digits, or exact if it would then seem to be
+     * {@return the text of a number that a limit refuses, rounded to three digits, or to as many as show that it is not
      * within the limit}
      *
      * @param value the number
      * @param limit the limit
      */
     public static String formatRefused(double value, double limit) {
-        String rounded = formatRounded(value);
-        return Double.compare(Double.parseDouble(rounded), limit) == Double.compare(value, limit)
-                ? rounded
-                : format(value);
+        for (int digits = ROUNDED_DIGITS; digits < MAX_DIGITS; digits++) {
+            String rounded = formatRounded(value, digits);
+            if (Double.compare(Double.parseDouble(rounded), limit) == Double.compare(value, limit)) {
+                return rounded;
+            }
+        }
+        return format(value);
     }
 
     /**

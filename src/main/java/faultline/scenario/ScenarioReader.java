@@ -103,8 +103,11 @@ final class ScenarioReader {
                 .map(node -> ControllerReader.read(node, problems))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
         if (world.isEmpty() || robot.isEmpty()) {
-            // The states are not checked: those of the timeline, which needs a robot, are not known.
-            readExpectation(root, List.of());
+            // The timeline needs a robot, so the states of its controllers are not known.
+            boolean isOnlyController = root.firstChild("timeline")
+                    .flatMap(timeline -> timeline.firstChild("controller"))
+                    .isEmpty();
+            readExpectation(root, isOnlyController ? ControllerFactory.states(controller) : List.of());
             return Optional.empty();
         }
         SimulationSetup setup = SimulationSetup.of(world.get(), robot.get().start())

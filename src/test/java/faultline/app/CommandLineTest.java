@@ -274,6 +274,10 @@ class CommandLineTest {
             rnu x.xml                       | there is no command "rnu"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "run"?
             --help rnu                      | --help takes the name of one command, not "rnu"; did you mean "run"?
             --help run check                | --help takes the name of one command, not "run check"
+            help rnu                        | help takes the name of one command, not "rnu"; did you mean "run"?
+            -h run check                    | -h takes the name of one command, not "run check"
+            run a.xml --seed -h             | --seed is "-h"; expected a whole number from -9223372036854775808 to 9223372036854775807
+            run a.xml --trace new/          | --trace is "new/"; expected the name of a file, which does not end with a slash
             --version 0.1.0                 | --version takes nothing, not "0.1.0"
             --controller none x.xml         | there is no command "--controller"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; options follow it
             --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "--help"?

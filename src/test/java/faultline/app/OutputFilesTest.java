@@ -220,6 +220,18 @@ class OutputFilesTest {
     }
 
     @Test
+    void aTraceThatGoesToADeviceHasNoHeaderFileBesideIt() throws IOException {
+        Path device = Path.of("/dev/null");
+        assumeTrue(Files.exists(device));
+        Path link = Files.createSymbolicLink(folder.resolve("t.csv"), device);
+        String[] args = {"run", SCENARIO.toString(), "--until", "1", "--trace-format", "2", "--trace", link.toString()};
+        PrintStream sink = new PrintStream(new ByteArrayOutputStream(), true, StandardCharsets.UTF_8);
+        int code = new CommandLine(new CommandOutput(sink, sink)).run(args);
+        assertEquals(1, code, "the scenario expects more than happens in one second");
+        assertFalse(Files.exists(folder.resolve("t.csv.json")));
+    }
+
+    @Test
     void aTableOfACampaignThatIsADeviceIsRefusedBeforeItIsRead() throws IOException {
         assumeTrue(Files.exists(Path.of("/dev/full")));
         Path out = Files.createDirectory(folder.resolve("out"));

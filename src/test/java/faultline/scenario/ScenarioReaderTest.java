@@ -251,6 +251,20 @@ class ScenarioReaderTest {
                 scenario.expectation().conditions());
     }
 
+    @Test
+    void expectedStatesAreCheckedWithoutARobotUnlessTheTimelineChangesTheController() {
+        String scenario =
+                """
+                <scenario xmlns="urn:faultline:scenario:1"><world width="6" height="4"/>
+                <timeline>%s</timeline><expect states="FOLOW"/></scenario>
+                """;
+        assertEquals(2, SampleScenario.problems(scenario.formatted("")).size());
+        assertEquals(
+                1,
+                SampleScenario.problems(scenario.formatted("<controller at=\"2\" type=\"none\"/>"))
+                        .size());
+    }
+
     private static final String LATE_FOLLOWER =
             """
             <scenario xmlns="urn:faultline:scenario:1"><robot x="1" y="2"/><world width="6" height="4"/>
