@@ -181,10 +181,12 @@ public final class StateDiagramView extends AccessibleComponent {
                 .contains(event.getX() / scale(), event.getY() / scale());
     }
 
-    private static String arrowText(Arrow arrow, long count) {
+    /** Describes a transition; the conditions are the wall follower's, which another controller does not have. */
+    private String arrowText(Arrow arrow, long count) {
+        String condition = frame.controller() instanceof ControllerSpec.BuiltIn ? arrow.condition() : "";
         return Messages.get(
                 "diagram.arrow",
-                StateText.transition(arrow.from(), arrow.to(), arrow.condition()),
+                StateText.transition(arrow.from(), arrow.to(), condition),
                 String.format(Locale.ROOT, "%d", count));
     }
 }

@@ -1,6 +1,7 @@
 package faultline.gui.text;
 
 import faultline.control.ControllerState;
+import faultline.control.wallfollower.StateDiagram;
 
 /** The names of controller states and transition conditions. */
 public final class StateText {
@@ -21,11 +22,17 @@ public final class StateText {
                 : Messages.get("diagram.last", name(from), name(to), shown);
     }
 
-    /** Returns the condition of a transition in the user's language, or the controller's own text if there is none. */
+    /**
+     * Returns the condition of a transition in the user's language if it is the wall follower's for these states, or
+     * one that stops it; otherwise the controller's own text.
+     */
     public static String condition(ControllerState from, ControllerState to, String condition) {
-        String key = "arrow." + from + "." + to;
-        if (Messages.contains(key)) {
-            return Messages.get(key);
+        boolean isFollowers = StateDiagram.TRANSITIONS.stream()
+                .anyMatch(arrow -> arrow.from().equals(from)
+                        && arrow.to().equals(to)
+                        && arrow.condition().equals(condition));
+        if (isFollowers) {
+            return Messages.get("arrow." + from + "." + to);
         }
         String named = "condition." + condition.replace(' ', '.');
         return Messages.contains(named) ? Messages.get(named) : condition;

@@ -212,11 +212,20 @@ class StateDiagramViewTest {
     @Test
     void anArrowUnderTheMouseExplainsItself() {
         picture(FRAME);
-        Arrow first = StateDiagram.TRANSITIONS.get(0);
-        Vector2 middle = LAYOUT.route(first).tip();
-        String tip = callOnEdt(() -> view.getToolTipText(
+        assertEquals("Search → Turn: wall met (1×)", toolTipOfTheFirstArrow());
+    }
+
+    @Test
+    void anArrowOfAnotherControllerHasNoConditionOfTheFollower() {
+        ControllerSpec own = new ControllerSpec.Provided("mine", 0, Map.of());
+        picture(new SessionFrame(FRAME.frame(), FRAME.recording(), FRAME.measures(), own, "mine", FRAME.dt()));
+        assertEquals("Search → Turn (1×)", toolTipOfTheFirstArrow());
+    }
+
+    private String toolTipOfTheFirstArrow() {
+        Vector2 middle = LAYOUT.route(StateDiagram.TRANSITIONS.get(0)).tip();
+        return callOnEdt(() -> view.getToolTipText(
                 new MouseEvent(view, MouseEvent.MOUSE_MOVED, 0, 0, (int) middle.x() - 12, (int) middle.y(), 0, false)));
-        assertEquals("Search → Turn: wall met (1×)", tip);
     }
 
     @Test
@@ -241,7 +250,7 @@ class StateDiagramViewTest {
             // F3 and F4 are the moments that the timing rule finds, not those of the transitions, and the wall of a
             // scenario may be on the right.
             String own = arrow.condition().replaceAll(" \\(F\\d\\)", "").replace("left sensor", "side sensor");
-            assertEquals(own, StateText.condition(arrow.from(), arrow.to(), ""));
+            assertEquals(own, StateText.condition(arrow.from(), arrow.to(), arrow.condition()));
         }
         for (FollowerState state : FollowerState.values()) {
             assertFalse(StateText.name(state).equals(state.name()), state + " has no name for people");
@@ -330,10 +339,11 @@ class StateDiagramViewTest {
         SessionFrame frame = frame(FollowerState.FOLLOW, "THREE");
         RunEvent.StateChanged other =
                 new RunEvent.StateChanged(9, 0.09, FollowerState.MEASURE, FollowerState.FOLLOW, "");
-        RunEvent.StateChanged own = new RunEvent.StateChanged(9, 0.09, FollowerState.SEARCH, FollowerState.TURN, "");
+        RunEvent.StateChanged own =
+                new RunEvent.StateChanged(9, 0.09, FollowerState.SEARCH, FollowerState.TURN, "wall met");
         assertEquals("3 of 6: three sensors, map · Measure → Follow", caption(frame, other, 1000));
         assertEquals("3 of 6: three sensors, map · Measure → Follow", caption(frame, other, 200));
-        String condition = StateText.condition(own.from(), own.to(), "");
+        String condition = "wall met";
         assertEquals("3 of 6: three sensors, map · Search → Turn: " + condition, caption(frame, own, 1000));
         assertEquals("3 of 6: three sensors, map · " + condition, caption(frame, own, 200));
     }

@@ -15,4 +15,26 @@ class StateTextTest {
                 StateText.transition(FollowerState.FOLLOW, FollowerState.MEASURE, "out of patience"));
         assertEquals("Measure → Follow", StateText.transition(FollowerState.MEASURE, FollowerState.FOLLOW, ""));
     }
+
+    @Test
+    void aControllersOwnReasonIsShownForATransitionOfTheBuiltInFollower() {
+        assertEquals(
+                "Follow → Turn: my reason",
+                StateText.transition(FollowerState.FOLLOW, FollowerState.TURN, "my reason"));
+        assertEquals("Follow → Turn", StateText.transition(FollowerState.FOLLOW, FollowerState.TURN, ""));
+    }
+
+    @Test
+    void theConditionOfAnotherTransitionIsAReasonOfAController() {
+        assertEquals(
+                "Turn → Measure: wall ahead",
+                StateText.transition(FollowerState.TURN, FollowerState.MEASURE, "wall ahead"));
+    }
+
+    @Test
+    void theBuiltInFollowersConditionsAreInPlainWords() {
+        assertEquals(
+                "Turn → Measure: side sensor comes to the wall",
+                StateText.transition(FollowerState.TURN, FollowerState.MEASURE, "left sensor comes to the wall (F3)"));
+    }
 }
