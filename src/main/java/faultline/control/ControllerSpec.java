@@ -260,9 +260,7 @@ public sealed interface ControllerSpec {
          *     finite
          */
         public WallFollowing {
-            if (!(distance > 0 && Double.isFinite(distance))) {
-                throw new IllegalArgumentException("the distance must be positive: " + distance);
-            }
+            requireDistance(distance);
             requirePeriod(period);
         }
     }
@@ -273,22 +271,23 @@ public sealed interface ControllerSpec {
         }
     }
 
-    /** A controller that is not part of the program. Its decisions are recorded with the run. */
-    sealed interface Foreign extends ControllerSpec {
-
-        @Override
-        default OptionalDouble wantedDistance() {
-            return OptionalDouble.of(WallFollowing.DEFAULT.distance());
+    private static void requireDistance(double distance) {
+        if (!(distance > 0 && Double.isFinite(distance))) {
+            throw new IllegalArgumentException("the distance must be positive: " + distance);
         }
     }
+
+    /** A controller that is not part of the program. Its decisions are recorded with the run. */
+    sealed interface Foreign extends ControllerSpec {}
 
     /**
      * A controller from outside that the user has to choose, because a file never starts a program: file type
      * {@link #TYPE}.
      *
      * @param period the time between two decisions, seconds; 0 for every tick
+     * @param wanted the distance from the wall that it is measured by, metres, positive
      */
-    record Extern(double period) implements Foreign {
+    record Extern(double period, double wanted) implements Foreign {
         /** The type in files. */
         public static final String TYPE = "extern";
 
@@ -296,10 +295,28 @@ public sealed interface ControllerSpec {
          * Creates settings.
          *
          * @param period the time between two decisions, seconds; 0 for every tick
-         * @throws IllegalArgumentException if the period is negative or not finite
+         * @param wanted the distance from the wall that it is measured by, metres, positive
+         * @throws IllegalArgumentException if the period is negative or not finite, or the distance is not positive and
+         *     finite
          */
         public Extern {
             requirePeriod(period);
+            requireDistance(wanted);
+        }
+
+        /**
+         * Creates settings with the wall follower's wanted distance.
+         *
+         * @param period the time between two decisions, seconds; 0 for every tick
+         * @throws IllegalArgumentException if the period is negative or not finite
+         */
+        public Extern(double period) {
+            this(period, WallFollowing.DEFAULT.distance());
+        }
+
+        @Override
+        public OptionalDouble wantedDistance() {
+            return OptionalDouble.of(wanted);
         }
 
         @Override
@@ -313,20 +330,41 @@ public sealed interface ControllerSpec {
      *
      * @param name the name of a {@link ControllerProvider}
      * @param period the time between two decisions, seconds; 0 for every tick
+     * @param wanted the distance from the wall that it is measured by, metres, positive; it is not passed to it
      * @param settings the settings in the file
      */
-    record Provided(String name, double period, Map<String, String> settings) implements Foreign {
+    record Provided(String name, double period, double wanted, Map<String, String> settings) implements Foreign {
         /**
          * Creates a choice of a controller from a copy of the settings.
+         *
+         * @param name the name of a {@link ControllerProvider}
+         * @param period the time between two decisions, seconds; 0 for every tick
+         * @param wanted the distance from the wall that it is measured by, metres, positive; it is not passed to it
+         * @param settings the settings in the file
+         * @throws IllegalArgumentException if the period is negative or not finite, or the distance is not positive and
+         *     finite
+         */
+        public Provided {
+            requirePeriod(period);
+            requireDistance(wanted);
+            settings = Map.copyOf(settings);
+        }
+
+        /**
+         * Creates a choice of a controller with the wall follower's wanted distance from a copy of the settings.
          *
          * @param name the name of a {@link ControllerProvider}
          * @param period the time between two decisions, seconds; 0 for every tick
          * @param settings the settings in the file
          * @throws IllegalArgumentException if the period is negative or not finite
          */
-        public Provided {
-            requirePeriod(period);
-            settings = Map.copyOf(settings);
+        public Provided(String name, double period, Map<String, String> settings) {
+            this(name, period, WallFollowing.DEFAULT.distance(), settings);
+        }
+
+        @Override
+        public OptionalDouble wantedDistance() {
+            return OptionalDouble.of(wanted);
         }
 
         @Override
@@ -361,7 +399,7 @@ public sealed interface ControllerSpec {
         @Override
         public OptionalDouble wantedDistance() {
             OptionalDouble wanted = original.wantedDistance();
-            return wanted.isPresent() ? wanted : Foreign.super.wantedDistance();
+            return wanted.isPresent() ? wanted : WallFollowing.DEFAULT.wantedDistance();
         }
 
         @Override

@@ -113,8 +113,8 @@ public record ControllerChoice(String text, List<Path> jars) {
      * {@return a setup whose scenario file names this controller} It is no command, which no file can name. It need not
      * be available.
      *
-     * @param setup the setup with the scenario's own controller; it keeps its period, and its settings if it has the
-     *     same name
+     * @param setup the setup with the scenario's own controller; it keeps its period and its wanted distance, and its
+     *     settings if it has the same name
      */
     public SimulationSetup applyByName(SimulationSetup setup) {
         ControllerSpec original = setup.controller();
@@ -129,7 +129,11 @@ public record ControllerChoice(String text, List<Path> jars) {
         return setup.withController(
                 text.equals(ControllerNames.NONE)
                         ? new ControllerSpec.None()
-                        : new ControllerSpec.Provided(text, original.period(), settingsIn(original)));
+                        : new ControllerSpec.Provided(
+                                text,
+                                original.period(),
+                                original.wantedDistance().orElse(ControllerSpec.WallFollowing.DEFAULT.distance()),
+                                settingsIn(original)));
     }
 
     private Map<String, String> settingsIn(ControllerSpec original) {

@@ -45,7 +45,9 @@ final class ControllerReader {
         TYPE_READERS.put(DEFAULT_TYPE, ControllerReader::readWallFollower);
         TYPE_READERS.put(ControllerSpec.None.TYPE, fields -> new ControllerSpec.None());
         TYPE_READERS.put(ControllerSpec.Drive.TYPE, ControllerReader::readDrive);
-        TYPE_READERS.put(ControllerSpec.Extern.TYPE, fields -> new ControllerSpec.Extern(readPeriod(fields)));
+        TYPE_READERS.put(
+                ControllerSpec.Extern.TYPE,
+                fields -> new ControllerSpec.Extern(readPeriod(fields), readDistance(fields)));
         TYPE_READERS.put(
                 ControllerSpec.Recorded.TYPE,
                 fields -> new ControllerSpec.Recorded(
@@ -64,7 +66,8 @@ final class ControllerReader {
             ElementRules.checkChildren(node, children(type, provided), problems);
         }
         ControllerSpec controller = provided
-                ? new ControllerSpec.Provided(type, readPeriod(fields), readSettings(node, problems))
+                ? new ControllerSpec.Provided(
+                        type, readPeriod(fields), readDistance(fields), readSettings(node, problems))
                 : TYPE_READERS.containsKey(type)
                         ? fields.choice("type", TYPE_READERS, ControllerReader::readWallFollower)
                                 .apply(fields)

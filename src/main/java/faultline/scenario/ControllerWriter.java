@@ -36,7 +36,9 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
                                 .attribute("left", drive.leftVolts())
                                 .attribute("right", drive.rightVolts()),
                         this::writeFollower)),
-                extern -> out.attribute("type", ControllerSpec.Extern.TYPE).attribute("period", extern.period()),
+                extern -> writeDistance(
+                        out.attribute("type", ControllerSpec.Extern.TYPE).attribute("period", extern.period()),
+                        extern.wanted()),
                 this::writeProvided,
                 chosen -> write(chosen.original()),
                 this::writeRecorded));
@@ -67,12 +69,18 @@ record ControllerWriter(XmlWriter out, ControllerSpec.WallFollowing defaults, bo
     }
 
     private XmlWriter writeProvided(ControllerSpec.Provided spec) {
-        out.attribute("type", spec.name()).attribute("period", spec.period());
+        writeDistance(out.attribute("type", spec.name()).attribute("period", spec.period()), spec.wanted());
         new TreeMap<>(spec.settings()).forEach((name, value) -> out.beginElement("setting")
                 .attribute("name", name)
                 .attribute("value", value)
                 .endElement());
         return out;
+    }
+
+    /** Writes the distance of a controller from outside, unless it is the one that is used without the attribute. */
+    private static XmlWriter writeDistance(XmlWriter out, double wanted) {
+        boolean isDefault = Double.compare(wanted, ControllerSpec.WallFollowing.DEFAULT.distance()) == 0;
+        return isDefault ? out : out.attribute("distance", wanted);
     }
 
     private XmlWriter writeRecorded(ControllerSpec.Recorded spec) {

@@ -291,4 +291,15 @@ class JavaExampleTest {
         assertEquals("none", value(output, "collision"));
         assertTrue(Double.parseDouble(value(output, "distance_rms_m")) > 0.08, "wanted are 0.25 m: " + output);
     }
+
+    @Test
+    void theExampleIsMeasuredByTheDistanceOfTheFile() throws Exception {
+        Path file = yardOfTheExample();
+        String plain = run("run", file.toString(), "--jar", jar.toString());
+        Files.writeString(
+                file, Files.readString(file).replace("\"my-follower\">", "\"my-follower\" distance=\"0.35\">"));
+        String output = run("run", file.toString(), "--jar", jar.toString());
+        assertEquals(value(plain, "trajectory_hash"), value(output, "trajectory_hash"));
+        assertTrue(Double.parseDouble(value(output, "distance_rms_m")) < 0.04, output);
+    }
 }

@@ -28,6 +28,9 @@ class ControllerSpecTest {
         Exception problem =
                 assertThrows(IllegalArgumentException.class, () -> WallFollowing.DEFAULT.withDistance(distance));
         assertTrue(problem.getMessage().contains("distance must be positive: " + distance), problem.getMessage());
+        assertThrows(IllegalArgumentException.class, () -> new ControllerSpec.Extern(0, distance));
+        assertThrows(
+                IllegalArgumentException.class, () -> new ControllerSpec.Provided("example", 0, distance, Map.of()));
     }
 
     @ParameterizedTest

@@ -107,6 +107,11 @@ class ControllerChoiceTest {
         assertEquals(
                 new ControllerSpec.Provided("other", 0.05, Map.of()),
                 ControllerChoice.of("other").applyByName(setup).controller());
+        SimulationSetup far = yard().withController(ControllerSpec.WallFollowing.DEFAULT.withDistance(0.4));
+        assertEquals(
+                new ControllerSpec.Provided("other", 0, 0.4, Map.of()),
+                ControllerChoice.of("other").applyByName(far).controller(),
+                "measured by the distance that the scenario wants");
         assertEquals(
                 ControllerSpec.WallFollowing.DEFAULT,
                 ControllerChoice.of("wall-follower").applyByName(setup).controller());

@@ -143,11 +143,11 @@ class ForeignControllerTest {
 
     @Test
     void aFileNamesAControllerInJavaWithItsSettings() throws Exception {
-        Path path = fileWith("<controller type=\"right-turner\" period=\"0.02\">"
+        Path path = fileWith("<controller type=\"right-turner\" period=\"0.02\" distance=\"0.3\">"
                 + "<setting name=\"volts\" value=\"2\"/></controller>");
         Scenario scenario = Scenario.load(path);
         assertEquals(
-                new ControllerSpec.Provided("right-turner", 0.02, Map.of("volts", "2")),
+                new ControllerSpec.Provided("right-turner", 0.02, 0.3, Map.of("volts", "2")),
                 scenario.setup().controller());
         scenario.save(path);
         assertEquals(scenario, Scenario.load(path));

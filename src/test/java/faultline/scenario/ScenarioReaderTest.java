@@ -28,6 +28,7 @@ import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -308,6 +309,19 @@ class ScenarioReaderTest {
                         .formatted(attribute));
         assertEquals(1, problems.size(), problems::toString);
         assertTrue(problems.get(0).contains("the name of a state"), problems::toString);
+    }
+
+    @Test
+    void aControllerFromOutsideIsMeasuredByTheDistanceOfTheFile() throws ScenarioException {
+        String plain = "<controller type=\"wall-follower\" distance=\"0.25\"/>";
+        assertEquals(
+                new ControllerSpec.Extern(0.02, 0.3),
+                controller(SampleScenario.withReplacement(
+                        plain, "<controller type=\"extern\" period=\"0.02\" distance=\"0.3\"/>")));
+        assertEquals(
+                OptionalDouble.of(0.25),
+                controller(SampleScenario.withReplacement(plain, "<controller type=\"extern\"/>"))
+                        .wantedDistance());
     }
 
     private static ControllerSpec controller(String text) throws ScenarioException {

@@ -155,6 +155,20 @@ class ScenarioWriterTest {
     }
 
     @Test
+    void theDistanceOfAControllerFromOutsideIsSavedIfItIsNotTheDefault() throws Exception {
+        String plain = "<controller type=\"wall-follower\" distance=\"0.25\"/>";
+        String far = "<controller type=\"extern\" distance=\"0.3\"/>";
+        Scenario scenario = SampleScenario.read(SampleScenario.withReplacement(plain, far));
+        assertEquals(scenario, SampleScenario.read(new String(scenario.toBytes(), StandardCharsets.UTF_8)));
+        String usual = "<controller type=\"extern\" period=\"0\"/>";
+        String saved = new String(
+                SampleScenario.read(SampleScenario.withReplacement(plain, usual))
+                        .toBytes(),
+                StandardCharsets.UTF_8);
+        assertTrue(saved.contains(usual), saved);
+    }
+
+    @Test
     void savingLeavesTheFileAndNothingElse() throws Exception {
         Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);
         Path file = folder.resolve("room.xml");

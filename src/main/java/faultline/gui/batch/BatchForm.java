@@ -29,7 +29,6 @@ import java.awt.GridLayout;
 import java.awt.Insets;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -208,20 +207,10 @@ final class BatchForm extends JPanel {
         updateCount();
     }
 
-    private void updateRemark(Scenario driven) {
-        String key =
-                program ? "batch.controller.program" : isMeasuredElsewhere(driven) ? "batch.controller.distance" : "";
-        controllerRemark.setVisible(!key.isEmpty());
-        controllerRemark.setText(key.isEmpty() ? "" : Messages.get(key));
-        controllerRemark.setToolTipText(key.isEmpty() ? null : Messages.get(key + ".tip"));
-    }
-
-    /** Returns whether the distance of a controller in Java is measured from another one than the scenario wants. */
-    private boolean isMeasuredElsewhere(Scenario driven) {
-        OptionalDouble wanted = scenario.setup().controller().wantedDistance();
-        return wanted.isPresent()
-                && driven.setup().controller() instanceof ControllerSpec.Provided provided
-                && !provided.wantedDistance().equals(wanted);
+    private void updateRemark() {
+        controllerRemark.setVisible(program);
+        controllerRemark.setText(program ? Messages.get("batch.controller.program") : "");
+        controllerRemark.setToolTipText(program ? Messages.get("batch.controller.program.tip") : null);
     }
 
     /** Returns the name and the jars of the chosen controller. */
@@ -295,7 +284,7 @@ final class BatchForm extends JPanel {
         if (faults != null) {
             BatchPlan plan = plan();
             diagnosis.setEnabled(plan.scenario().setup().controller() instanceof ControllerSpec.WallFollowing);
-            updateRemark(plan.scenario());
+            updateRemark();
             overruled.setText(OverruledChoice.describe(plan, !controllerChoice().isScenarioDefault()));
             overruled.setVisible(!overruled.getText().isEmpty());
             OptionalLong runs = plan.runCount();

@@ -21,6 +21,7 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
@@ -335,13 +336,17 @@ class BatchFormTest {
         runOnEdt(() -> form.setChosen(ControllerChoice.of("python3 robot.py"), true));
         assertTrue(labels().contains("|The chosen program cannot drive a batch|"), labels());
         assertEquals(scenario, plan().scenario());
-        ControllerChoice mine = ControllerChoice.of("my-follower");
-        runOnEdt(() -> form.setChosen(mine, false));
-        assertFalse(labels().contains("measured from"), "the scenario wants 0.25 m, too");
+        runOnEdt(() -> form.setChosen(ControllerChoice.of("my-follower"), false));
+        assertFalse(labels().contains("cannot drive a batch"));
+    }
+
+    @Test
+    void theDistanceOfAChosenControllerIsThatOfTheScenario() throws Exception {
         ControllerSpec.WallFollowing far = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.4);
         Scenario other = scenario.withSetup(scenario.setup().withController(far));
         form = callOnEdt(() -> new BatchForm(other));
-        runOnEdt(() -> form.setChosen(mine, false));
-        assertTrue(labels().contains("|The distance is measured from 0.25 m|"), labels());
+        runOnEdt(() -> form.setChosen(ControllerChoice.of("my-follower"), false));
+        assertEquals(
+                OptionalDouble.of(0.4), plan().scenario().setup().controller().wantedDistance());
     }
 }
