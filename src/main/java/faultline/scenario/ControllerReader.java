@@ -58,31 +58,50 @@ final class ControllerReader {
 
     static ControllerSpec read(XmlElement node, Problems problems) {
         AttributeReader fields = new AttributeReader(node, problems);
-        String type = node.attributes().getOrDefault("type", DEFAULT_TYPE).strip();
-        boolean provided = !TYPE_READERS.containsKey(type)
-                && ControllerProviders.find(type).isPresent();
-        if (provided || TYPE_READERS.containsKey(type)) {
-            // The elements of an unknown controller may be those that it needs.
-            ElementRules.checkChildren(node, children(type, provided), problems);
-        }
-        ControllerSpec controller = provided
-                ? new ControllerSpec.Provided(
-                        type, readPeriod(fields), readDistance(fields), readSettings(node, problems))
-                : TYPE_READERS.containsKey(type)
-                        ? fields.choice("type", TYPE_READERS, ControllerReader::readWallFollower)
-                                .apply(fields)
-                        : readUnknown(type, fields);
-        if (provided) {
-            fields.isPresent("type");
-        }
+        ControllerSpec controller = read(node, fields, problems);
         fields.reportUnknownAndMissing();
         return controller instanceof ControllerSpec.Recorded empty
                 ? new ControllerSpec.Recorded(empty.wanted(), empty.ticks(), readDecisions(node, problems))
                 : controller;
     }
 
-    private static List<String> children(String type, boolean provided) {
-        return provided
+    private static ControllerSpec read(XmlElement node, AttributeReader fields, Problems problems) {
+        String type = type(node);
+        boolean provided = isProvided(type);
+        if (provided || TYPE_READERS.containsKey(type)) {
+            // The elements of an unknown controller may be those that it needs.
+            ElementRules.checkChildren(node, children(type), problems);
+        }
+        if (provided) {
+            fields.isPresent("type");
+            return new ControllerSpec.Provided(
+                    type, readPeriod(fields), readDistance(fields), readSettings(node, problems));
+        }
+        return TYPE_READERS.containsKey(type)
+                ? fields.choice("type", TYPE_READERS, ControllerReader::readWallFollower)
+                        .apply(fields)
+                : readUnknown(type, fields);
+    }
+
+    static String type(XmlElement node) {
+        return node.attributes().getOrDefault("type", DEFAULT_TYPE).strip();
+    }
+
+    private static boolean isProvided(String type) {
+        return !TYPE_READERS.containsKey(type) && ControllerProviders.find(type).isPresent();
+    }
+
+    /** Returns the attributes of an element that a controller of its type does not have. */
+    static List<String> foreignAttributes(XmlElement node) {
+        Problems ignored = new Problems("");
+        AttributeReader fields = new AttributeReader(node, ignored);
+        read(node, fields, ignored);
+        return fields.unread().toList();
+    }
+
+    /** Returns the names of the elements that a controller of a type may contain. */
+    static List<String> children(String type) {
+        return isProvided(type)
                 ? List.of("setting")
                 : type.equals(ControllerSpec.Recorded.TYPE) ? List.of("decisions") : List.of();
     }

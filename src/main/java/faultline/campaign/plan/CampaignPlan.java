@@ -246,7 +246,7 @@ public final class CampaignPlan {
         for (ScenarioChange edit : edits) {
             edit.apply(tree, numbers, block, file);
         }
-        return tree.toElement();
+        return ControllerTypes.withoutEarlierType(root, tree.toElement(), commonChanges, edits);
     }
 
     /** Checks every level of every factor in every kind of world, one at a time. */

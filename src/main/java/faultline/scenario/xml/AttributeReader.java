@@ -313,19 +313,23 @@ public final class AttributeReader {
      * attribute that looks like a misspelt missing one is reported once.
      */
     public void reportUnknownAndMissing() {
-        for (String name : node.attributes().keySet()) {
-            if (!requested.contains(name) && !SCHEMA_LOCATION_ATTRIBUTES.contains(name)) {
-                problems.add(
-                        node,
-                        () -> ProblemKind.UNKNOWN_ATTRIBUTE.with(
-                                node.name(),
-                                MessageText.excerpt(name),
-                                requested.isEmpty() ? Allowed.NONE.with() : Allowed.names(requested, name)));
-                DidYouMean.nearest(name, requested).ifPresent(missing::remove);
-            }
-        }
+        unread().forEach(name -> {
+            problems.add(
+                    node,
+                    () -> ProblemKind.UNKNOWN_ATTRIBUTE.with(
+                            node.name(),
+                            MessageText.excerpt(name),
+                            requested.isEmpty() ? Allowed.NONE.with() : Allowed.names(requested, name)));
+            DidYouMean.nearest(name, requested).ifPresent(missing::remove);
+        });
         missing.forEach((name, allowed) ->
                 problems.add(node, () -> ProblemKind.MISSING_ATTRIBUTE.with(node.name(), name, allowed.get())));
+    }
+
+    /** {@return the attributes that were given but never read, in the order of the file} */
+    public Stream<String> unread() {
+        return node.attributes().keySet().stream()
+                .filter(name -> !requested.contains(name) && !SCHEMA_LOCATION_ATTRIBUTES.contains(name));
     }
 
     private Optional<String> required(String name, Supplier<Message> allowed) {

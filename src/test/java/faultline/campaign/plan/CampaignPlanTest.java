@@ -8,6 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.campaign.RandomRoom;
 import faultline.campaign.RoomRules;
 import faultline.control.ControllerSpec;
+import faultline.control.GainRule;
+import faultline.control.Thresholds;
+import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
@@ -76,6 +79,53 @@ class CampaignPlanTest {
                 plan.scenario(plan.run(0)).setup().controller());
         assertEquals(
                 new ControllerSpec.None(), plan.scenario(plan.run(1)).setup().controller());
+    }
+
+    private static final String RIGHT_HAND =
+            "<controller type=\"wall-follower\" distance=\"0.3\" hand=\"right\" period=\"0.02\"/></scenario>";
+
+    private static CampaignPlan planOfTypes(String controller, String sets) throws ScenarioException {
+        String room = SamplePlan.ROOM.replace("</scenario>", controller);
+        return SamplePlan.read(SamplePlan.text("", WORLDS + sets), room);
+    }
+
+    @Test
+    void anotherTypeOfControllerLacksTheAttributesOfTheFile() throws ScenarioException {
+        String types = "<set attribute=\"controller/@type\" value=\"wall-follower none drive\"/>";
+        CampaignPlan plan = planOfTypes(RIGHT_HAND, types);
+        ControllerSpec own = new ControllerSpec.WallFollowing(
+                0.3,
+                WallSide.RIGHT,
+                0.02,
+                ControllerSpec.WallFollowing.DEFAULT.timingRule(),
+                true,
+                GainRule.AUTOMATIC,
+                Thresholds.DEFAULT);
+        assertEquals(own, plan.scenario(plan.run(0)).setup().controller());
+        assertEquals(
+                new ControllerSpec.None(), plan.scenario(plan.run(1)).setup().controller());
+        assertEquals(
+                new ControllerSpec.Drive(0, 0),
+                plan.scenario(plan.run(2)).setup().controller());
+        String recorded =
+                "<controller type=\"recorded\" ticks=\"9\"><decisions>1,1*9</decisions></controller></scenario>";
+        CampaignPlan replaced = planOfTypes(recorded, "<set attribute=\"controller/@type\" value=\"wall-follower\"/>");
+        assertEquals(
+                ControllerSpec.WallFollowing.DEFAULT,
+                replaced.scenario(replaced.run(0)).setup().controller());
+    }
+
+    @Test
+    void whatThePlanItselfSetsOfAnotherTypeIsReported() {
+        String none = "<set attribute=\"controller/@type\" value=\"none\"/>";
+        String distance = "<set attribute=\"controller/@distance\" value=\"0.2\"/>";
+        ScenarioException refusal =
+                assertThrows(ScenarioException.class, () -> planOfTypes(RIGHT_HAND, none + distance));
+        assertEquals(
+                List.of("<controller> has no attribute \"distance\"; expected type (in a)"),
+                refusal.problems().stream()
+                        .map(problem -> problem.message().toString())
+                        .toList());
     }
 
     @Test
