@@ -121,7 +121,8 @@ public final class ResultColumns {
             new ResultColumn(
                     "detection_view_s",
                     "s",
-                    "time with a surface in the sensor's range, from the tick of the fault to that of its detection",
+                    "time with a surface in the sensor's range, from the tick of the fault to that of its detection,"
+                            + " both included, so that it can be one tick longer than detection_delay_s",
                     run -> fixed(run.diagnosis().secondsInView().orElse(Double.NaN), 3)),
             new ResultColumn(
                     "detection_error_m",
