@@ -37,6 +37,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
@@ -44,6 +47,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** New scenarios, and the properties of the open one, without a display. */
@@ -118,6 +122,21 @@ class PropertiesTest {
             return form.expectation();
         });
         assertEquals(List.of(new Expectation.FinalState(FollowerState.SEARCH)), expected.conditions());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"false, must not occur", "true, must occur"})
+    @SuppressWarnings("unchecked")
+    void theFormSaysWhatIsExpectedOfACollision(boolean wanted, String text) {
+        String shown = callOnEdt(() -> {
+            ExpectationForm form = new ExpectationForm();
+            form.setExpectation(new Expectation(List.of(new Expectation.Collides(wanted))), List.of());
+            JComboBox<Object> choice = ComponentFinder.find(form, JComboBox.class, "Collision");
+            JLabel row = (JLabel) choice.getRenderer()
+                    .getListCellRendererComponent(new JList<>(), choice.getSelectedItem(), 0, false, false);
+            return row.getText();
+        });
+        assertEquals(text, shown);
     }
 
     @Test
