@@ -237,17 +237,19 @@ public final class NumberSpinner extends JSpinner implements PendingField {
     /** Sets other limits and a value within them, without notifying the listener. */
     public void setLimits(double min, double max, double value) {
         formatter.setLimits(min, max);
-        model.setMinimum(min);
-        model.setMaximum(max);
-        setValueQuietly(value);
+        quietly(() -> {
+            model.setMinimum(min);
+            model.setMaximum(max);
+            setValue(value);
+        });
         updateAccessibleText();
     }
 
-    /** Sets another upper limit; the value stays, even above it. */
+    /** Sets another upper limit, without notifying the listener; the value stays, even above it. */
     public void setMax(double max) {
         if (!model.getMaximum().equals(max)) {
             formatter.setMax(max);
-            model.setMaximum(max);
+            quietly(() -> model.setMaximum(max));
             updateAccessibleText();
         }
     }
@@ -256,7 +258,7 @@ public final class NumberSpinner extends JSpinner implements PendingField {
     public void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();
         if (truth != doubleValue() && !isTyping()) {
-            setValueQuietly(truth);
+            quietly(() -> setValue(truth));
         }
     }
 
@@ -321,10 +323,11 @@ public final class NumberSpinner extends JSpinner implements PendingField {
         return formatter.limitsText();
     }
 
-    private void setValueQuietly(double value) {
+    /** Makes a change that is none by the user; a model notifies its listeners of other limits, too. */
+    private void quietly(Runnable change) {
         updating = true;
         try {
-            setValue(value);
+            change.run();
         } finally {
             updating = false;
         }

@@ -173,6 +173,37 @@ class NumberSpinnerTest {
         assertEquals("250.00", callOnEdt(() -> spinner.textField().getText()));
     }
 
+    /** Other limits are those of another scenario: they are no change by the user. */
+    @Test
+    void otherLimitsAreReportedToNobodyAndKeepANumberAboveThem() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            spinner.setLimits(0.02, 0.3, 0.9);
+            assertEquals("0.90", spinner.textField().getText());
+            assertEquals("0.02 to 0.3", spinner.limitsText());
+            assertFalse(spinner.commitPendingEdit(), "not edited");
+        });
+        assertEquals(List.of(), reported);
+        runOnEdt(() -> spinner.setValue(spinner.getPreviousValue()));
+        assertEquals(List.of(0.3), reported, "an arrow leads within the limits");
+        commit("0.25");
+        assertEquals(List.of(0.3, 0.25), reported);
+    }
+
+    @Test
+    void anotherUpperLimitIsReportedToNobodyAndKeepsANumberAboveIt() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            spinner.setMax(0.5);
+            assertEquals("0.80", spinner.textField().getText());
+            assertEquals("0.01 to 0.5", spinner.limitsText());
+            assertFalse(spinner.commitPendingEdit(), "not edited");
+        });
+        assertEquals(List.of(), reported);
+        commit("0.4");
+        assertEquals(List.of(0.4), reported);
+    }
+
     @Test
     void anUpwardArrowGoesAStepUp() {
         runOnEdt(() -> spinner.setWorldValue(0.8));

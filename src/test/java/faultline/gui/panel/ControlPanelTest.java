@@ -23,6 +23,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.ReadingText;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
@@ -336,13 +337,46 @@ class ControlPanelTest {
                 .orElseThrow();
     }
 
+    /** A scenario may have a speed that its motors do not reach: it is shown, and kept until the user changes it. */
     @Test
     void theSpeedIsLimitedToThatOfTheMotors() {
-        double max = world.robot().motor().maxSpeed();
-        runOnEdt(() -> {
-            JSpinner speed = spinner("Linear velocity");
-            assertEquals(max, ((SpinnerNumberModel) speed.getModel()).getMaximum());
-        });
+        RobotSpec slow = RobotSpec.DEFAULT
+                .withMotor(new MotorSpec(0.05, 0.04, 6))
+                .withPlatform(RobotSpec.DEFAULT.length(), RobotSpec.DEFAULT.width(), 0.8);
+        showRobot(slow);
+        assertEquals(0.24, speedLimit(), 1e-15);
+        assertEquals(
+                "0.80", callOnEdt(() -> spinner("Linear velocity").textField().getText()));
+        showRobot(slow.withMotor(new MotorSpec(0.05, 0.5, 6)));
+        assertEquals(3, speedLimit(), 1e-15);
+        assertEquals(List.of(), commands, "sent by the panel itself");
+        showRobot(slow);
+        runOnEdt(() -> spinner("Platform length").setValue(0.3));
+        assertEquals(List.of(new Command.SetPlatform(0.3, slow.width(), 0.8)), commands);
+    }
+
+    private double speedLimit() {
+        return callOnEdt(
+                () -> (Double) ((SpinnerNumberModel) spinner("Linear velocity").getModel()).getMaximum());
+    }
+
+    /** Shows a world with another robot. */
+    private void showRobot(RobotSpec robot) {
+        Snapshot changed = new Snapshot(
+                world.tick(),
+                world.time(),
+                world.width(),
+                world.height(),
+                world.enclosed(),
+                robot,
+                world.pose(),
+                world.wheelSpeeds(),
+                world.motorFaults(),
+                world.sensors(),
+                world.obstacles(),
+                world.contacts(),
+                world.collisions());
+        runOnEdt(() -> panel.setSnapshot(changed));
     }
 
     @Test

@@ -31,6 +31,7 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.robot.MotorSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
@@ -324,6 +325,28 @@ class ControllerPanelTest {
         runOnEdt(() -> documents.save(file, () -> {}));
         Await.until("the scenario is saved", () -> !workspace.isChanged());
         assertEquals(999.999, Scenario.load(file).setup().robot().motor().maxSpeed(), 1e-9);
+    }
+
+    /** The limit of each value depends on the other one, so other motors have other limits. */
+    @Test
+    void otherMotorsAreShownWithoutAnEdit() {
+        MotorSpec fast = new MotorSpec(0.05, 2, 400);
+        runOnEdt(() -> {
+            Scenario open = workspace.scenario().orElseThrow();
+            documents.create(
+                    open.withSetup(open.setup().withRobot(open.setup().robot().withMotor(fast))));
+        });
+        SessionFrames.awaitFrame(
+                workspace,
+                "the other motors",
+                frame -> frame.snapshot().robot().motor().equals(fast));
+        await("the new limits", spec -> true);
+        assertEquals("0.001 to 500", limits("Voltage, V"));
+        assertEquals(
+                fast,
+                callOnEdt(
+                        () -> workspace.scenario().orElseThrow().setup().robot().motor()));
+        assertFalse(callOnEdt(undo::canUndo));
     }
 
     private String limits(String field) {
