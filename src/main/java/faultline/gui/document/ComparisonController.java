@@ -195,8 +195,9 @@ public final class ComparisonController implements WorkspaceListener {
     private RunComparison compare(RunComparison last, HashTrace now, int from) {
         ReferenceRun run = last.run();
         RunEvent.Diverged divergence = last.divergence()
-                .filter(known -> isConfirmed(known.tick(), now, from))
+                .filter(known -> known.tick() < from)
                 .or(() -> firstDifference(run, now, from))
+                .or(() -> last.divergence().filter(known -> isAhead(known.tick(), now)))
                 .orElse(null);
         boolean whole = now.size() > run.hashTrace().size();
         RunComparison result = new RunComparison(last.name(), run, divergence, whole, isOfOtherSeed(run));
@@ -216,11 +217,8 @@ public final class ComparisonController implements WorkspaceListener {
                 .isPresent();
     }
 
-    /**
-     * Returns whether a known divergence still holds: it precedes the new ticks, or it is ahead of a run that was moved
-     * back and will reach it again.
-     */
-    private boolean isConfirmed(long divergence, HashTrace now, int from) {
-        return divergence < from || divergence >= now.size() && divergence <= navigator.furthestTick();
+    /** Returns whether a known divergence is ahead of a run that was moved back and will reach it again. */
+    private boolean isAhead(long divergence, HashTrace now) {
+        return divergence >= now.size() && divergence <= navigator.furthestTick();
     }
 }

@@ -95,11 +95,16 @@ public final class RunNavigator implements WorkspaceListener {
                 .thenApplyAsync(
                         journal -> {
                             preparation.run();
-                            return documentJournal(now, journal);
+                            return now.document().journal(journal.ticks());
                         },
                         EventQueue::invokeLater);
         CompletableFuture<Journal> past = whole.thenCombineAsync(
-                pastOfRun, (made, ofRun) -> now.document().renames().inJournal(ofRun), EventQueue::invokeLater);
+                pastOfRun,
+                (made, ofRun) -> {
+                    noteFurthestTick(now, ofRun.ticks());
+                    return now.document().renames().inJournal(ofRun);
+                },
+                EventQueue::invokeLater);
         WorkspaceTask task = new WorkspaceTask(kind, now.document().displayPath());
         Callable<OpenDocument> maker = () -> {
             Journal journal = whole.join();
@@ -136,15 +141,14 @@ public final class RunNavigator implements WorkspaceListener {
         return document.session().frame().recording().hashTrace();
     }
 
-    /** Returns the journal of a session with the edited setup of its document. */
-    private Journal documentJournal(OpenDocument left, Journal journal) {
+    /** Notes the tick of a session that is left. Its journal may have more, also those of another setup. */
+    private void noteFurthestTick(OpenDocument left, long tick) {
         if (workspace
                 .openDocument()
                 .filter(now -> now.document() == left.document())
                 .isPresent()) {
-            furthestTick = Math.max(furthestTick, journal.ticks());
+            furthestTick = Math.max(furthestTick, tick);
         }
-        return left.document().journal(journal.ticks());
     }
 
     @Override
@@ -214,7 +218,7 @@ public final class RunNavigator implements WorkspaceListener {
         replayEnd = scenario.recorded() ? furthestTick : NONE;
     }
 
-    /** Forgets the later ticks, because a command has been executed. */
+    /** Forgets the later ticks, because a command has been executed or the setup has been changed. */
     void discardFuture() {
         furthestTick = 0;
         replayEnd = NONE;
@@ -226,7 +230,8 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     /**
-     * Returns the furthest tick of the run, however often it has been moved back. A command sets it to its own tick.
+     * Returns the furthest tick of the run, however often it has been moved back. A command sets it to its own tick,
+     * and a change of the setup to the present one.
      */
     public long furthestTick() {
         return Math.max(furthestTick, currentTick());

@@ -17,6 +17,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.external.ControllerChoice;
+import faultline.geometry.Vector2;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;
@@ -31,6 +32,7 @@ import java.util.OptionalLong;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -265,6 +267,35 @@ class ComparisonControllerTest {
         runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("rear", true)), results -> {}));
         step(TICKS);
         assertEquals(OptionalLong.of(CHANGED), divergence());
+    }
+
+    private void change(UnaryOperator<SimulationSetup> change) {
+        runOnEdt(() -> run.change(scenario -> scenario.withSetup(change.apply(scenario.setup()))));
+        Await.until("the run with the change", () -> workspace.task().isEmpty());
+    }
+
+    @Test
+    void anEarlierDivergenceOfARunThatIsSimulatedAgainReplacesOneAhead() {
+        runDifferently();
+        runOnEdt(() -> run.navigator().seek(CHANGED / 2));
+        waitForTick(CHANGED / 2);
+        change(setup -> setup.withStart(
+                setup.start().withPosition(setup.start().position().plus(new Vector2(1e-3, 0)))));
+        assertEquals(OptionalLong.of(0), divergence());
+    }
+
+    /** The command that made the run differ is still ahead, but the run differs before. */
+    @Test
+    void aDivergenceAheadIsForgottenWhenTheRunIsSimulatedAgain() {
+        runDifferently(new Command.SetPlatform(0.25, 0.2, 0.1));
+        runOnEdt(() -> run.navigator().seek(CHANGED / 2));
+        waitForTick(CHANGED / 2);
+        int planned = CHANGED - 5;
+        change(setup -> setup.withTimeline(List.of(
+                new SimulationSetup.TimedCommand(setup.timeOf(planned), new Command.SwitchSensor("left", false)))));
+        assertEquals(OptionalLong.empty(), divergence());
+        step(CHANGED / 2);
+        assertEquals(OptionalLong.of(planned), divergence());
     }
 
     @Test

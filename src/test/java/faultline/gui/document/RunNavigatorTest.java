@@ -143,6 +143,18 @@ class RunNavigatorTest {
         assertEquals(0, callOnEdt(run.navigator()::furthestTick));
     }
 
+    @Test
+    void aChangeOfTheSetupForgetsTheTicksOfTheRunBefore() {
+        seek(5);
+        assertEquals(30, callOnEdt(run.navigator()::furthestTick));
+        runOnEdt(
+                () -> run.change(scenario -> scenario.withSetup(scenario.setup().withSeed(7))));
+        Await.until("the run with the seed", () -> workspace.task().isEmpty());
+        assertEquals(5, callOnEdt(run.navigator()::furthestTick));
+        seek(3);
+        assertEquals(5, callOnEdt(run.navigator()::furthestTick));
+    }
+
     /** After a restart, nothing remains in the run of what the edit has caused. */
     @Test
     void anUndoReportsTheTickOfTheEditUntilARestart() {
