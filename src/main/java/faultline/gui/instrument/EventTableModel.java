@@ -75,17 +75,22 @@ final class EventTableModel extends AbstractTableModel {
                 && newest.get(before.endIndex()).tick() < divergence.tick();
     }
 
-    /** Removes the rows of dropped events; the divergence keeps its row. */
+    /**
+     * Removes the rows of dropped events; the divergence keeps its row. With each notification, the table has exactly
+     * the rows that are left, on which a sorter relies.
+     */
     private void removeOldest(long newFirst) {
-        int forgotten = (int) (newFirst - firstEvent);
-        int marked = divergenceRow();
+        long marked = firstEvent + divergenceRow();
+        removeUntil(Math.min(newFirst, marked), 0);
+        removeUntil(newFirst, 1);
+    }
+
+    /** Removes events before a new first one, given the row of the old one. */
+    private void removeUntil(long newFirst, int row) {
+        int removed = (int) (newFirst - firstEvent);
         firstEvent = newFirst;
-        if (forgotten > marked) {
-            fireTableRowsDeleted(marked + 1, forgotten);
-        }
-        int above = Math.min(forgotten, marked);
-        if (above > 0) {
-            fireTableRowsDeleted(0, above - 1);
+        if (removed > 0) {
+            fireTableRowsDeleted(row, row + removed - 1);
         }
     }
 

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertIterableEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.recording.EventRecorder;
@@ -11,9 +12,14 @@ import faultline.engine.recording.RunEvent;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.JTable;
+import javax.swing.RowFilter;
 import javax.swing.event.TableModelEvent;
+import javax.swing.table.TableRowSorter;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The rows of the event log during a run, with and without a reference run. */
 class EventTableModelTest {
@@ -155,11 +161,48 @@ class EventTableModelTest {
         List<String> notifications = notifications();
         assertTrue(recordEvent(100_000));
         assertEquals(
-                List.of("-6.." + CHUNK, "-0..4", "+" + (LOG_CAPACITY - CHUNK + 1) + ".." + (LOG_CAPACITY - CHUNK + 1)),
+                List.of(
+                        "-0..4",
+                        "-1.." + (CHUNK - 5),
+                        "+" + (LOG_CAPACITY - CHUNK + 1) + ".." + (LOG_CAPACITY - CHUNK + 1)),
                 notifications);
         assertEquals(0, chosen());
         assertEquals(50, tickOfChosen());
         assertEquals(10 * CHUNK, events.eventAt(1).tick());
+    }
+
+    /** As in the log, where the boxes of the kinds hide rows. */
+    @ParameterizedTest
+    @ValueSource(ints = {10, 300, 1000, 5000})
+    void aFilteredTableKeepsItsRowsWhileTheLogForgets(int diverged) {
+        TableRowSorter<EventTableModel> rows = new TableRowSorter<>(events);
+        runOnEdt(() -> table.setRowSorter(rows));
+        fill(LOG_CAPACITY - 1);
+        diverge(10L * diverged);
+        runOnEdt(() -> rows.setRowFilter(new OddRows()));
+        for (int i = 0; i < 2 * CHUNK; i++) {
+            recordEvent(100_000 + i);
+            assertIterableEquals(
+                    callOnEdt(() -> IntStream.range(0, events.getRowCount())
+                            .mapToObj(events::eventAt)
+                            .filter(OddRows::isShown)
+                            .toList()),
+                    callOnEdt(() -> IntStream.range(0, table.getRowCount())
+                            .mapToObj(row -> events.eventAt(table.convertRowIndexToModel(row)))
+                            .toList()));
+        }
+    }
+
+    /** Hides the events at even tenths of a tick, and the divergence. */
+    private static final class OddRows extends RowFilter<EventTableModel, Integer> {
+        @Override
+        public boolean include(Entry<? extends EventTableModel, ? extends Integer> row) {
+            return isShown(row.getModel().eventAt(row.getIdentifier()));
+        }
+
+        private static boolean isShown(RunEvent event) {
+            return event instanceof RunEvent.CommandExecuted && event.tick() / 10 % 2 == 1;
+        }
     }
 
     @Test
