@@ -3,6 +3,7 @@ package faultline.gui;
 import java.awt.Component;
 import java.awt.Container;
 import java.util.stream.Stream;
+import javax.swing.JLabel;
 import javax.swing.JMenu;
 
 /** Finds components in a window by class and accessible name, and lays out those of a window that is not shown. */
@@ -34,6 +35,14 @@ public final class ComponentFinder {
                 .filter(component -> name.equals(accessibleName(component)))
                 .findFirst()
                 .orElseThrow(() -> new AssertionError("there is no " + type.getSimpleName() + " called " + name));
+    }
+
+    /** Returns the label of a value, whose accessible name is that of the value, a colon and the text. */
+    public static JLabel findValue(Component root, String name) {
+        return findAll(root, JLabel.class)
+                .filter(label -> accessibleName(label).equals(name + ": " + label.getText()))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError("there is no value called " + name));
     }
 
     /** Returns the accessible name of a component, empty if it has none. */

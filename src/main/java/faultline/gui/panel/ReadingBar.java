@@ -95,11 +95,13 @@ final class ReadingBar extends AccessibleComponent {
     }
 
     private void updateToolTip(SensorSnapshot snapshot) {
-        String tip = Messages.get(readingKind.key, sensor) + ": " + text
-                + (faulty ? " (" + Messages.get("sensor.faulty", FaultText.format(snapshot.faults())) + ")" : "");
+        String value =
+                text + (faulty ? " (" + Messages.get("sensor.faulty", FaultText.format(snapshot.faults())) + ")" : "");
+        String tip = Messages.get(readingKind.key, sensor) + ": " + value;
         if (!tip.equals(getToolTipText())) {
             setToolTipText(tip);
-            getAccessibleContext().setAccessibleDescription(tip);
+            // A screen reader has read the name before.
+            getAccessibleContext().setAccessibleDescription(value);
         }
     }
 

@@ -629,6 +629,17 @@ class ControlPanelTest {
                 .toList());
     }
 
+    /** They read the name before. */
+    @Test
+    void theDescriptionOfAReadingIsItsValue() {
+        runOnEdt(() -> ComponentFinder.findAll(panel, ReadingBar.class).forEach(bar -> {
+            String name = bar.getAccessibleContext().getAccessibleName();
+            String description = bar.getAccessibleContext().getAccessibleDescription();
+            assertTrue(description.startsWith(bar.text()), description);
+            assertEquals(name + ": " + description, bar.getToolTipText());
+        }));
+    }
+
     @Test
     void theMountOfTheChosenSensorCanBeSet() {
         runOnEdt(() -> {

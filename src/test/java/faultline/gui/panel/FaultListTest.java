@@ -94,7 +94,7 @@ class FaultListTest {
         assertEquals("0.0 s left", texts(list).get(2));
         assertEquals(before, callOnEdt(() -> List.of(list.getComponents())), "the same rows");
         assertEquals(size, callOnEdt(list::getPreferredSize));
-        JLabel remaining = ComponentFinder.find(list, JLabel.class, "left: stuck 0.40 m ends at 12 s");
+        JLabel remaining = ComponentFinder.findValue(list, "left: stuck 0.40 m ends at 12 s");
         assertEquals("Ends at 12 s, by the time line", callOnEdt(remaining::getToolTipText));
     }
 

@@ -33,7 +33,7 @@ class HealthRowsTest {
                     List.of("front"),
                     List.of(new SensorHealth("front", SensorTrust.DISTRUSTED, SensorFinding.STUCK, 1, tick)),
                     0.01);
-            return ComponentFinder.find(rows, JLabel.class, "front: Since");
+            return ComponentFinder.findValue(rows, "front: Since");
         });
         assertEquals(expected, callOnEdt(since::getText));
         int width = callOnEdt(() -> since.getFontMetrics(since.getFont()).stringWidth(expected));
@@ -55,7 +55,7 @@ class HealthRowsTest {
                     .filter(label -> longId.equals(label.getText()))
                     .findFirst()
                     .orElseThrow();
-            JLabel since = ComponentFinder.find(rows, JLabel.class, longId + ": Since");
+            JLabel since = ComponentFinder.findValue(rows, longId + ": Since");
             assertEquals(name.getY(), since.getY(), "the row is wrapped");
             assertTrue(since.getX() + since.getWidth() <= rows.getWidth(), "the row is cut off");
             assertEquals(longId, name.getToolTipText());

@@ -69,8 +69,7 @@ class RunPanelTest {
     }
 
     private String value(String name) {
-        return callOnEdt(
-                () -> ComponentFinder.find(panel, ValueLabel.class, name).getText());
+        return callOnEdt(() -> ComponentFinder.findValue(panel, name).getText());
     }
 
     @Test
