@@ -30,8 +30,8 @@ public final class RunNavigator implements WorkspaceListener {
     private long furthestTick;
 
     private long replayEnd = NONE;
-    /** Whether the run is simulated again because its setup has been changed. */
-    private boolean resimulating;
+    /** Whether the setup has been changed, and no run with the change has started since. */
+    private boolean lacksChange;
     /** Whether the run resumes after that. */
     private boolean resuming;
 
@@ -46,7 +46,7 @@ public final class RunNavigator implements WorkspaceListener {
      * timeline before, where they act from their ticks on.
      */
     public void seek(long tick) {
-        endResimulation();
+        resuming = false;
         workspace.fire(listener -> listener.seekStarted(tick));
         workspace
                 .openDocument()
@@ -72,8 +72,8 @@ public final class RunNavigator implements WorkspaceListener {
     /** Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. */
     void resimulate() {
         workspace.openDocument().ifPresent(now -> {
+            lacksChange = true;
             resuming |= now.session().status().running();
-            resimulating = true;
             discardFuture();
             replay(now, TaskKind.RESIMULATE, now.document()::prepareResimulation, Journal::ticks, Session::resimulate);
         });
@@ -158,7 +158,7 @@ public final class RunNavigator implements WorkspaceListener {
 
     @Override
     public void taskFinished() {
-        if (resimulating) {
+        if (lacksChange) {
             endResimulationAndResume();
             workspace.fire(WorkspaceListener::setupChangeDeferred);
         }
@@ -173,7 +173,7 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     private void endResimulation() {
-        resimulating = false;
+        lacksChange = false;
         resuming = false;
     }
 

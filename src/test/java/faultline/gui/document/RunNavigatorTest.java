@@ -351,6 +351,38 @@ class RunNavigatorTest {
         assertEquals(SECOND, pole());
     }
 
+    private List<Integer> countDeferredChanges() {
+        List<Integer> reports = new ArrayList<>();
+        runOnEdt(() -> workspace.addListener(new WorkspaceListener() {
+            @Override
+            public void setupChangeDeferred() {
+                reports.add(reports.size() + 1);
+            }
+        }));
+        return reports;
+    }
+
+    private void changeSeed() {
+        run.change(scenario -> scenario.withSetup(scenario.setup().withSeed(7)));
+    }
+
+    @Test
+    void aMoveThatIsCancelledLeavesARunWithoutTheChangeBefore() {
+        List<Integer> reports = countDeferredChanges();
+        runOnEdt(() -> {
+            changeSeed();
+            run.navigator().seek(5);
+            workspace.cancelTask();
+        });
+        assertEquals(List.of(1), reports);
+        seek(5);
+        runOnEdt(() -> {
+            run.navigator().seek(8);
+            workspace.cancelTask();
+        });
+        assertEquals(List.of(1), reports, "the run has the change");
+    }
+
     private void edit(Command command) {
         SessionFrame before = SessionFrames.frame(workspace);
         runOnEdt(() -> {
