@@ -43,9 +43,12 @@ public final class RunNavigator implements WorkspaceListener {
      * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, in the state in which it
      * was there before: with the commands that were executed before the next tick. Later commands are executed again at
      * their ticks, unless another command is executed before. If there are later events, all events are put on the
-     * timeline before, where they act from their ticks on.
+     * timeline before, where they act from their ticks on. Does nothing while a scenario is being opened.
      */
     public void seek(long tick) {
+        if (isOpening()) {
+            return;
+        }
         resuming = false;
         workspace.fire(listener -> listener.seekStarted(tick));
         workspace
@@ -69,10 +72,20 @@ public final class RunNavigator implements WorkspaceListener {
                 .orElse(0.0);
     }
 
-    /** Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. */
+    private boolean isOpening() {
+        return workspace.task().filter(active -> active.kind() == TaskKind.OPEN).isPresent();
+    }
+
+    /**
+     * Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. While
+     * a scenario is being opened, the run stays as it is, and lacks the change if that is cancelled or fails.
+     */
     void resimulate() {
         workspace.openDocument().ifPresent(now -> {
             lacksChange = true;
+            if (isOpening()) {
+                return;
+            }
             resuming |= now.session().status().running();
             discardFuture();
             replay(now, TaskKind.RESIMULATE, now.document()::prepareResimulation, Journal::ticks, Session::resimulate);

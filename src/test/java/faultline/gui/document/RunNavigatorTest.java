@@ -383,6 +383,34 @@ class RunNavigatorTest {
         assertEquals(List.of(1), reports, "the run has the change");
     }
 
+    @Test
+    void aMoveOrAChangeDoesNotEndTheOpeningOfAScenario() throws Exception {
+        Path office = Path.of("scenarios/office.xml");
+        List<Integer> reports = countDeferredChanges();
+        CompletableFuture<Scenario> found = new CompletableFuture<>();
+        runOnEdt(() -> {
+            documentStore.open(office, found::get);
+            run.navigator().seek(5);
+            changeSeed();
+        });
+        found.complete(Scenario.load(office));
+        Await.until("the scenario", () -> workspace.file().equals(Optional.of(office)));
+        assertEquals(List.of(), reports);
+    }
+
+    @Test
+    void aChangeBeforeTheOpeningOfAScenarioIsCancelledIsReported() {
+        List<Integer> reports = countDeferredChanges();
+        runOnEdt(() -> {
+            documentStore.open(Path.of("scenarios/office.xml"), () -> new CompletableFuture<Scenario>().get());
+            changeSeed();
+            assertEquals(
+                    TaskKind.OPEN, workspace.task().map(WorkspaceTask::kind).orElseThrow());
+            workspace.cancelTask();
+        });
+        assertEquals(List.of(1), reports);
+    }
+
     private void edit(Command command) {
         SessionFrame before = SessionFrames.frame(workspace);
         runOnEdt(() -> {
