@@ -89,7 +89,10 @@ public final class RunPanel extends JPanel {
         return value;
     }
 
-    /** Shows a run; numbers that change with every frame wait for the next update. */
+    /**
+     * Shows a run of a scenario with ticks of the same length; numbers that change with every frame wait for the next
+     * update.
+     */
     void setRun(SessionFrame frame, SessionStatus status, Scenario scenario) {
         assert EventQueue.isDispatchThread();
         boolean stopped = wasRunning && !status.running();
@@ -109,8 +112,7 @@ public final class RunPanel extends JPanel {
                     frame.telemetry().diagnosis().health(),
                     scenario.setup().dt());
         }
-        // A restart with ticks of another length may have been cancelled.
-        SimulationSetup setup = scenario.setup().withTick(frame.dt());
+        SimulationSetup setup = scenario.setup();
         long tick = frame.snapshot().tick();
         boolean ended = tick >= setup.ticks();
         timeLeft.setValue(

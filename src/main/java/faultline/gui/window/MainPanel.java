@@ -230,13 +230,14 @@ final class MainPanel extends JPanel {
     }
 
     /** Shows the progress of the run of a scenario, whose furthest tick is given, and at its end the verdict. */
-    void setRun(SessionFrame frame, SessionStatus now, Scenario scenario, long furthestTick) {
-        SimulationSetup setup = scenario.setup();
+    void setRun(SessionFrame frame, SessionStatus now, Scenario edited, long furthestTick) {
+        // A restart with ticks of another length may have been cancelled; the views count those of the run.
+        SimulationSetup setup = edited.setup().withTick(frame.dt());
+        Scenario scenario = edited.withSetup(setup);
         timeline.setFrame(frame, Math.max(furthestTick, setup.ticks()), setup.ticks());
         controlPanel.setRun(frame, now, scenario);
         RunVerdict.of(frame, now, scenario)
-                .ifPresentOrElse(
-                        verdict -> banner.setVerdict(verdict, scenario.setup().dt()), banner::clearVerdict);
+                .ifPresentOrElse(verdict -> banner.setVerdict(verdict, setup.dt()), banner::clearVerdict);
         // The banner names the first collision, too, unless it is about a failure.
         canvas.setCollisionReported(!banner.isVisible() || now.failure().isPresent());
     }

@@ -391,6 +391,21 @@ class MainPanelTest {
         assertTrue(Pixels.countDifferent(before, callOnEdt(this::picture)) > 1000, "no report after the banner");
     }
 
+    /** As after a change of the length of the ticks whose restart was cancelled. */
+    @Test
+    void aRunIsShownWithItsOwnTicks() throws ScenarioException {
+        Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+        Scenario changed = office.withSetup(office.setup().withTick(0.05));
+        SessionFrame frame = unmeasured(SampleFrames.fullFrame(), Recording.EMPTY);
+        runOnEdt(() -> {
+            mainPanel.setRun(frame, FAST, changed, 0);
+            JSlider slider = ComponentFinder.findAll(mainPanel.timeline().bar(), JSlider.class)
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals(office.setup().ticks(), slider.getMaximum());
+        });
+    }
+
     @Test
     void noComponentMovesWhenNumbersChange() {
         runOnEdt(() -> setSizeAndLayOut(1360, 840));
