@@ -99,8 +99,9 @@ final class LaneMouse extends MouseAdapter {
         showMenuIfWanted(event);
     }
 
+    /** The press of a button asks for a menu on some systems, its release on others. */
     private void showMenuIfWanted(MouseEvent event) {
-        if (event.isPopupTrigger()) {
+        if (event.isPopupTrigger() && view.isEnabled() && view.isBelowRuler(event.getY())) {
             actions.showMenu(view, event.getX(), event.getY(), snapped(event.getX()));
         }
     }

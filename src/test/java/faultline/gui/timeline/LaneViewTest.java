@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -15,6 +16,7 @@ import faultline.gui.theme.KeyBindings;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.awt.Cursor;
+import java.awt.IllegalComponentStateException;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -103,6 +105,22 @@ class LaneViewTest {
             assertEquals(Optional.empty(), view.preview());
             assertEquals(before, editor.model().commands());
         });
+    }
+
+    /** On Windows, the release of a button opens a menu, which the view cannot show without a display. */
+    @Test
+    void theReleaseOfAButtonOpensAMenuOnlyWhereAPressDoes() {
+        runOnEdt(() -> {
+            releaseForMenu(view.rulerTop() + 3);
+            int lane = view.rulerTop() + 20;
+            assertThrows(IllegalComponentStateException.class, () -> releaseForMenu(lane));
+            view.setEnabled(false);
+            releaseForMenu(lane);
+        });
+    }
+
+    private void releaseForMenu(int y) {
+        view.dispatchEvent(new MouseEvent(view, MouseEvent.MOUSE_RELEASED, 0, 0, 400, y, 1, true, MouseEvent.BUTTON3));
     }
 
     @Test
