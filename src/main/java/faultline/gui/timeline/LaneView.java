@@ -173,6 +173,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         zoom.showAll();
         lane = 0;
         selection = LaneLayout.NONE;
+        faultSensor = "";
         newScenario = true;
     }
 

@@ -124,6 +124,16 @@ class LaneViewTest {
     }
 
     @Test
+    void anotherScenarioGetsNoFaultThatWasAskedForBefore() {
+        runOnEdt(() -> {
+            view.addFault("front");
+            view.startScenario();
+            updateView();
+        });
+        runOnEdt(() -> assertEquals(new Lane.SensorLane("left"), view.selectedLane()));
+    }
+
+    @Test
     void anotherScenarioEndsADrag() {
         runOnEdt(() -> {
             addStuck("left", 10, 20);
