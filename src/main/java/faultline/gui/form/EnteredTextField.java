@@ -78,8 +78,11 @@ public abstract class EnteredTextField extends JTextField implements PendingFiel
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
-                commit();
-                showValue();
+                // As in a number field, the text stays while another window or a menu has the focus.
+                if (!event.isTemporary()) {
+                    commit();
+                    showValue();
+                }
             }
         });
     }
