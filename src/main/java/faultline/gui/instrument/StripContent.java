@@ -67,7 +67,7 @@ public record StripContent(
         return surface.toSvg();
     }
 
-    /** Returns the text of a table with one row for each recorded tick or interval of the shown times. */
+    /** Returns the text of a table with one row for each recorded tick or interval of either run in the shown times. */
     public String toCsv() {
         return StripTable.format(this);
     }

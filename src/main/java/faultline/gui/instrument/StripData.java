@@ -50,6 +50,11 @@ record StripData(TraceLevel level, List<String> sensors, long from, long to, dou
         return (bucket + 0.5) * level.ticksPerBucket() * dt - dt / 2;
     }
 
+    /** Returns the time of the last tick of the last bucket, seconds. */
+    double lastTime() {
+        return (to * level.ticksPerBucket() - 1) * dt;
+    }
+
     /** Returns the bucket nearest to a time, or -1 if there is none. */
     long bucketAt(double time) {
         return from < to ? Math.max(from, Math.min(to - 1, bucketOf(time))) : -1;

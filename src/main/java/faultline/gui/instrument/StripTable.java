@@ -4,6 +4,7 @@ import faultline.gui.text.Messages;
 import faultline.io.DecimalText;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Formats the values of a strip chart as comma-separated text, at the finest resolution that is recorded. */
@@ -48,16 +49,19 @@ final class StripTable {
         List<LineColumn> columns = new ArrayList<>();
         content.signal().lines().forEach(line -> data.valuesOf(line)
                 .ifPresent(values -> columns.add(new LineColumn(line.name(), values, data))));
-        content.referenceData(Integer.MAX_VALUE / 4)
-                .ifPresent(reference -> content.signal().lines().forEach(line -> reference
-                        .valuesOf(line)
-                        .ifPresent(values -> columns.add(new LineColumn(
-                                Messages.get("signal.reference") + ", " + line.name(), values, reference)))));
+        Optional<StripData> referenceData = content.referenceData(Integer.MAX_VALUE / 4);
+        referenceData.ifPresent(reference -> content.signal().lines().forEach(line -> reference
+                .valuesOf(line)
+                .ifPresent(values -> columns.add(
+                        new LineColumn(Messages.get("signal.reference") + ", " + line.name(), values, reference)))));
         StringBuilder out = new StringBuilder("t (s)");
         columns.forEach(
                 column -> out.append(',').append(column.header(content.signal().unit())));
         out.append('\n');
-        for (long bucket = data.from(); bucket < data.to(); bucket++) {
+        long to = referenceData
+                .map(reference -> Math.max(data.to(), data.bucketOf(reference.lastTime()) + 1))
+                .orElse(data.to());
+        for (long bucket = data.from(); bucket < to; bucket++) {
             double time = Math.rint(data.timeOf(bucket) * STEPS_PER_SECOND) / STEPS_PER_SECOND;
             out.append(DecimalText.format(time));
             columns.forEach(column -> out.append(',').append(column.cells(time)));

@@ -417,6 +417,23 @@ class StripContentTest {
     }
 
     @Test
+    void aTableHasRowsForAReferenceRunThatIsLonger() {
+        SessionFrame start = SampleRuns.frame(200);
+        ReferenceRun longer = ReferenceRun.replay(new Journal(SampleRuns.ROOM_SETUP, List.of(), 1000), tick -> true);
+        List<String> rows = new StripContent(
+                        start, GROUPS.get(0), new TimeSpan(0, 20), ValueRange.FROM_ZERO, List.of(), longer)
+                .toCsv()
+                .lines()
+                .toList();
+        int last = 1000;
+        assertEquals(1 + last + 1, rows.size());
+        String[] cells = rows.get(1 + last).split(",", -1);
+        assertEquals(List.of("10", "", ""), List.of(cells).subList(0, 3));
+        float target = longer.recording().trace().finestLevel().min(TraceChannels.MEASURED_DISTANCE, last);
+        assertEquals(Float.toString(target), cells[4]);
+    }
+
+    @Test
     void theAxisCoversTheReferenceRun() {
         ReferenceRun close = ReferenceRun.replay(
                 new Journal(
