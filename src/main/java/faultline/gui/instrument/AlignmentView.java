@@ -66,16 +66,17 @@ public final class AlignmentView extends AccessibleComponent {
             timingRule = rule;
             refresh();
         }
-        String words = accessibleText();
-        if (!words.equals(getAccessibleContext().getAccessibleDescription())) {
-            getAccessibleContext().setAccessibleDescription(words);
-        }
+        updateAccessibleText();
         repaint();
     }
 
-    /** Returns all values as text. */
-    private String accessibleText() {
-        return rows().stream().map(row -> row.name() + " " + row.value()).collect(Collectors.joining(", "));
+    /** Describes all values in words. */
+    private void updateAccessibleText() {
+        String words =
+                rows().stream().map(row -> row.name() + " " + row.value()).collect(Collectors.joining(", "));
+        if (!words.equals(getAccessibleContext().getAccessibleDescription())) {
+            getAccessibleContext().setAccessibleDescription(words);
+        }
     }
 
     List<AlignmentText.NamedValue> rows() {
@@ -84,6 +85,7 @@ public final class AlignmentView extends AccessibleComponent {
 
     private void refresh() {
         setToolTipText(Messages.get("spin.tip") + " " + Messages.get("spin.rule.tip." + timingRule.fileName()));
+        updateAccessibleText();
         repaint();
     }
 

@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Controller;
@@ -18,6 +19,9 @@ import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -264,5 +268,24 @@ class AlignmentTraceTest {
                         + ".+°, error [+\u2212]0\\.\\d\\d°"),
                 words);
         runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
+    }
+
+    /** A paused run sends no more frames. */
+    @Test
+    void theWordsForReadersOfTheScreenFollowTheLanguage() {
+        runOnEdt(() -> {
+            AlignmentView instrument = new AlignmentView();
+            instrument.setFrame(FRAME);
+            try {
+                Messages.setLanguage(Language.POLISH);
+                RefreshSteps.run(instrument);
+                String first = instrument.rows().get(0).name();
+                String words = instrument.getAccessibleContext().getAccessibleDescription();
+                assertNotEquals("timing rule", first);
+                assertTrue(words.startsWith(first), words);
+            } finally {
+                Messages.setLanguage(Language.ENGLISH);
+            }
+        });
     }
 }
