@@ -23,7 +23,7 @@ public final class FileNames {
     /** Many file systems allow 255 bytes, with the extension and what a program adds to it. */
     private static final int MAX_BYTES = 200;
     /** Windows reserves these names in every folder, with any extension. */
-    private static final Pattern DEVICE_NAME = Pattern.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
+    private static final Pattern DEVICE_NAME = Pattern.compile("(?i)(con|prn|aux|nul|com[\\d¹²³]|lpt[\\d¹²³])(\\..*)?");
 
     private static final Pattern SCENARIO_EXTENSION =
             Pattern.compile("\\.(" + String.join("|", SCENARIO_EXTENSIONS) + ")$", Pattern.CASE_INSENSITIVE);
@@ -52,7 +52,7 @@ public final class FileNames {
 
     /** Returns the file name, in which an underscore replaces each letter that is not allowed. */
     static String forScenario(String scenario, Predicate<String> isAllowed) {
-        String name = start(scenario.replaceAll("[^\\p{L}\\p{N} ._-]", "_"))
+        String name = start(scenario.replaceAll("[^\\p{L}\\p{M}\\p{N} ._-]", "_"))
                 .codePoints()
                 .mapToObj(Character::toString)
                 .map(letter -> isAllowed.test(letter) ? letter : "_")

@@ -28,6 +28,12 @@ class FileNamesTest {
             con, _con
             Lpt1.room, _Lpt1.room
             console, console
+            COM¹, _COM¹
+            lpt².room, _lpt².room
+            Com³, _Com³
+            COM⁴, COM⁴
+            नमस्ते, नमस्ते
+            Café, Café
             """)
     void aFileNameKeepsLettersAndNoCharacterThatASystemRejects(String scenario, String file) {
         assertEquals(file, FileNames.forScenario(scenario));
