@@ -19,7 +19,7 @@ import java.util.Map;
  */
 record LabelSprite(BufferedImage image, int left, int baseline) {
 
-    /** Enough for the names of a crowded world; about 10 MB at most. */
+    /** Enough for the names of a crowded world: 5 to 18 MB, and up to 125 MB on a screen with a scale of 3. */
     private static final int MAX_CACHED = 1000;
     /** An upper bound of the width of the halo, pixels. */
     private static final int MARGIN = 3;
