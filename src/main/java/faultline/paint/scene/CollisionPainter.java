@@ -10,6 +10,7 @@ import faultline.world.Snapshot;
 import java.awt.Color;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -74,11 +75,14 @@ final class CollisionPainter {
     }
 
     private static Rectangle2D belowOf(Rectangle2D badge, List<Rectangle2D> covered) {
-        double top = covered.stream()
-                .filter(badge::intersects)
-                .mapToDouble(area -> area.getMaxY() + BADGE_MARGIN)
-                .reduce(badge.getY(), Math::max);
-        return new Rectangle2D.Double(badge.getX(), top, badge.getWidth(), badge.getHeight());
+        Rectangle2D.Double moved =
+                new Rectangle2D.Double(badge.getX(), badge.getY(), badge.getWidth(), badge.getHeight());
+        // In this order, a badge does not come to lie over an area that it has passed.
+        covered.stream()
+                .sorted(Comparator.comparingDouble(Rectangle2D::getMaxY))
+                .filter(moved::intersects)
+                .forEachOrdered(area -> moved.y = area.getMaxY() + BADGE_MARGIN);
+        return moved;
     }
 
     static List<String> badgeLines(Collision collision, SceneLabels labels) {

@@ -92,6 +92,15 @@ class CollisionPainterTest {
         assertEquals(new Point(4, 4), cornerOfBadge(below, List.of()));
     }
 
+    /** The second area begins below the first one, where the badge would be moved. */
+    @Test
+    void theBadgeMovesBelowAllCoveredAreas() {
+        List<Rectangle2D> covered =
+                List.of(new Rectangle2D.Double(0, 60, 500, 40), new Rectangle2D.Double(0, 0, 500, 50));
+        Point corner = cornerOfBadge(new Pose(7, 3.6, 0), covered);
+        assertTrue(corner.y > 100, corner.toString());
+    }
+
     @Test
     void theBadgeDoesNotHideTheRobot() {
         assertEquals(new Point(4, 4), cornerOfBadge(new Pose(7, 3.6, 0), List.of()));
