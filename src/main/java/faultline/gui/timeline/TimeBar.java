@@ -17,6 +17,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
+import javax.accessibility.AccessibleContext;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -30,12 +31,7 @@ public final class TimeBar extends JPanel {
     private static final int GAP = 10;
     private static final int MARK_REACH = 3;
 
-    private final JSlider slider = new JSlider(0, 0, 0) {
-        @Override
-        public String getToolTipText(MouseEvent event) {
-            return markAt(event.getX()).map(SliderMark::text).orElseGet(super::getToolTipText);
-        }
-    };
+    private final JSlider slider = new TimeSlider();
     private final JLabel currentTimeLabel = new JLabel(timeText(0)) {
         @Override
         public Dimension getPreferredSize() {
@@ -55,6 +51,49 @@ public final class TimeBar extends JPanel {
     private transient List<SliderMark> marks = List.of();
     /** Null if the run does not differ from the reference run. */
     private transient RunEvent.Diverged shownDivergence;
+
+    /** A slider whose values are ticks, and seconds for screen readers. */
+    private final class TimeSlider extends JSlider {
+
+        TimeSlider() {
+            super(0, 0, 0);
+        }
+
+        @Override
+        public String getToolTipText(MouseEvent event) {
+            return markAt(event.getX()).map(SliderMark::text).orElseGet(super::getToolTipText);
+        }
+
+        @Override
+        public AccessibleContext getAccessibleContext() {
+            if (accessibleContext == null) {
+                accessibleContext = new AccessibleTime();
+            }
+            return accessibleContext;
+        }
+
+        private final class AccessibleTime extends AccessibleJSlider {
+            @Override
+            public Number getCurrentAccessibleValue() {
+                return shownTime();
+            }
+
+            @Override
+            public boolean setCurrentAccessibleValue(Number seconds) {
+                return dt > 0 && super.setCurrentAccessibleValue(Math.round(seconds.doubleValue() / dt));
+            }
+
+            @Override
+            public Number getMinimumAccessibleValue() {
+                return timeOf(getMinimum());
+            }
+
+            @Override
+            public Number getMaximumAccessibleValue() {
+                return timeOf(getMaximum());
+            }
+        }
+    }
 
     /**
      * Creates a time bar without a run. {@code jump} receives the tick to go to, {@code preview} keyframes while the

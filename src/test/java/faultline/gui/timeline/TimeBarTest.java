@@ -23,6 +23,7 @@ import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.accessibility.AccessibleValue;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterEach;
@@ -136,6 +137,18 @@ class TimeBarTest {
     private void press(int type, int x) {
         slider.dispatchEvent(
                 new MouseEvent(slider, type, 0, InputEvent.BUTTON1_DOWN_MASK, x, 3, 1, false, MouseEvent.BUTTON1));
+    }
+
+    @Test
+    void screenReadersGetAndSetTheTimeInSeconds() {
+        runOnEdt(() -> {
+            AccessibleValue value = slider.getAccessibleContext().getAccessibleValue();
+            assertEquals(0.4, value.getCurrentAccessibleValue());
+            assertEquals(0.0, value.getMinimumAccessibleValue());
+            assertEquals(0.4, value.getMaximumAccessibleValue());
+            assertTrue(value.setCurrentAccessibleValue(0.2));
+        });
+        waitForTick(20);
     }
 
     @Test
