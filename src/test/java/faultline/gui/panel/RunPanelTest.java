@@ -19,7 +19,6 @@ import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
-import faultline.gui.form.ValueLabel;
 import faultline.gui.theme.Theme;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;

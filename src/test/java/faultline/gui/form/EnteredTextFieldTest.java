@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.form;
 
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
