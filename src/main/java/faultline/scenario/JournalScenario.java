@@ -14,7 +14,7 @@ public final class JournalScenario {
 
     /**
      * {@return the scenario that replays a journal} It lasts as long as the run did, and expects nothing, because the
-     * expectations of the base are about another run.
+     * run may differ from the one that the base expects.
      *
      * @param base the scenario of the run; gives the name and the description
      * @param journal the commands of the run
