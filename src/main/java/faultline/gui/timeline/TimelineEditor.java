@@ -45,10 +45,8 @@ public final class TimelineEditor {
 
     /** Returns the timeline of the open scenario; the same object as before if nothing has changed. */
     public TimelineModel model() {
-        List<TimedCommand> commands = setup().map(SimulationSetup::timeline).orElse(List.of());
-        if (commands != model.commands() && !commands.equals(model.commands())) {
-            model = TimelineModel.of(commands);
-        }
+        setup().filter(now -> !model.isOf(now.timeline(), now.dt()))
+                .ifPresent(now -> model = TimelineModel.of(now.timeline(), now.dt()));
         return model;
     }
 

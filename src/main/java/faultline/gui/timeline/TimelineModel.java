@@ -1,5 +1,6 @@
 package faultline.gui.timeline;
 
+import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.world.Command;
 import java.util.ArrayDeque;
@@ -20,33 +21,47 @@ import java.util.stream.Stream;
 public final class TimelineModel {
 
     /** The model of an empty timeline. */
-    public static final TimelineModel EMPTY = of(List.of());
+    public static final TimelineModel EMPTY = of(List.of(), 1);
 
     private static final int NONE = -1;
 
     private final List<TimedCommand> commands;
+    private final double dt;
     private final List<PairedCommands> pairs = new ArrayList<>();
     private final List<TimelineItem> items;
     /** An item, the index of its first command, and that of the command that ends it, or {@link #NONE}. */
     private record PairedCommands(TimelineItem item, int first, int last) {
 
         PairedCommands endedBy(TimedCommand later, int index) {
-            return new PairedCommands(item.withTimes(item.start(), later.time()), first, index);
+            // Within a tick, the times need not be in order.
+            return new PairedCommands(item.withTimes(item.start(), Math.max(item.start(), later.time())), first, index);
         }
     }
 
-    private TimelineModel(List<TimedCommand> commands) {
+    private TimelineModel(List<TimedCommand> commands, double dt) {
         this.commands = List.copyOf(commands);
+        this.dt = dt;
         Map<Command, Queue<Integer>> open = new HashMap<>();
         IntStream.range(0, commands.size())
                 .boxed()
-                .sorted(Comparator.comparingDouble(index -> commands.get(index).time()))
+                .sorted(Comparator.comparingLong(
+                        index -> tickAt(commands.get(index).time())))
                 .forEachOrdered(index -> add(index, open));
         items = pairs.stream().map(PairedCommands::item).toList();
     }
 
-    public static TimelineModel of(List<TimedCommand> commands) {
-        return new TimelineModel(commands);
+    /** Returns the model of a timeline of a run with ticks of a length, seconds, in whose order it is executed. */
+    public static TimelineModel of(List<TimedCommand> commands, double dt) {
+        return new TimelineModel(commands, dt);
+    }
+
+    /** Returns whether this is the model of a timeline of a run with ticks of a length. */
+    boolean isOf(List<TimedCommand> others, double length) {
+        return dt == length && commands.equals(others);
+    }
+
+    private long tickAt(double time) {
+        return SimulationSetup.tickAt(time, dt);
     }
 
     /**
@@ -121,8 +136,9 @@ public final class TimelineModel {
     }
 
     /** Returns whether the end of other items would also end an item, which it follows in the file or not. */
-    private static boolean cutsShort(TimedCommand end, boolean follows, TimelineItem item) {
-        boolean begun = end.time() > item.start() || follows && end.time() == item.start();
+    private boolean cutsShort(TimedCommand end, boolean follows, TimelineItem item) {
+        long from = tickAt(item.start());
+        boolean begun = tickAt(end.time()) > from || follows && tickAt(end.time()) == from;
         return begun && end.time() <= item.end() && item.isEndedWithOthers(end.command());
     }
 

@@ -16,6 +16,9 @@ import org.junit.jupiter.api.Test;
 /** Commands of a timeline as items, and edits of items as commands. */
 class TimelineModelTest {
 
+    /** The length of a tick, seconds. */
+    private static final double DT = 0.01;
+
     private static final double END_OF_RUN = Double.POSITIVE_INFINITY;
     private static final Fault STUCK = new Fault.Stuck(0.3);
     private static final Fault DEAD = new Fault.Dead();
@@ -41,7 +44,7 @@ class TimelineModelTest {
     }
 
     private static List<String> spans(List<TimedCommand> commands) {
-        return TimelineModel.of(commands).items().stream()
+        return TimelineModel.of(commands, DT).items().stream()
                 .map(item -> item.lane().label() + " " + item.start() + " " + item.end())
                 .toList();
     }
@@ -51,6 +54,20 @@ class TimelineModelTest {
         List<TimedCommand> commands =
                 List.of(clear(8, "left", STUCK), inject(9, "front", DEAD), move(3), inject(2, "left", STUCK));
         assertEquals(List.of("left 2.0 8.0", "other 3.0 3.0", "front 9.0 Infinity"), spans(commands));
+    }
+
+    /** As in the run, which executes the commands of a tick in the order of the file, whatever their times are. */
+    @Test
+    void theTimesOfOneTickAreInTheOrderOfTheFile() {
+        assertEquals(
+                List.of("left 10.004 10.004"),
+                spans(List.of(inject(10.004, "left", DEAD), clear(10.002, "left", DEAD))));
+        List<TimedCommand> reversed = List.of(clear(10.004, "left", DEAD), inject(10.002, "left", DEAD));
+        assertEquals(List.of("left 10.004 10.004", "left 10.002 Infinity"), spans(reversed));
+        TimelineModel switched = TimelineModel.of(List.of(turn(5, "left", false), turn(10.004, "left", true)), DT);
+        assertEquals(
+                List.of("left 5.0 10.004", "left 10.002 Infinity"),
+                spans(switched.with(TimelineItem.from(new Command.SwitchSensor("left", false), 10.002))));
     }
 
     @Test
@@ -84,7 +101,7 @@ class TimelineModelTest {
     void aSensorThatIsSwitchedOffAndOnAgainIsOneItem() {
         List<TimedCommand> commands = List.of(turn(1, "left", true), turn(2, "left", false), turn(4, "left", true));
         assertEquals(List.of("left 1.0 1.0", "left 2.0 4.0"), spans(commands));
-        assertTrue(TimelineModel.of(commands).items().get(1).isInterval());
+        assertTrue(TimelineModel.of(commands, DT).items().get(1).isInterval());
     }
 
     @Test
@@ -95,12 +112,12 @@ class TimelineModelTest {
 
     @Test
     void aSensorThatIsOffForLongerIsNotSwitchedOnInTheMeantime() {
-        TimelineModel model = TimelineModel.of(List.of(turn(1, "left", false), turn(5, "left", true)));
+        TimelineModel model = TimelineModel.of(List.of(turn(1, "left", false), turn(5, "left", true)), DT);
         TimelineItem off = model.items().get(0);
         assertEquals(List.of("left 1.0 7.0", "left 3.0 7.0"), spans(model.with(off.withTimes(3, 7))));
         assertEquals(List.of("left 1.0 5.0", "left 3.0 5.0"), spans(model.with(off.withTimes(3, 5))));
         assertEquals(List.of("left 1.0 5.0", "left 5.0 9.0"), spans(model.with(off.withTimes(5, 9))));
-        TimelineModel both = TimelineModel.of(model.with(off.withTimes(3, 7)));
+        TimelineModel both = TimelineModel.of(model.with(off.withTimes(3, 7)), DT);
         assertEquals(List.of("left 3.0 7.0"), spans(both.without(0)));
         assertEquals(List.of("left 1.0 9.0", "left 3.0 9.0"), spans(both.with(0, off.withTimes(1, 9))));
     }
@@ -114,7 +131,7 @@ class TimelineModelTest {
     void aChangedItemKeepsTheOrderOfAllOtherCommands() {
         List<TimedCommand> commands =
                 List.of(move(1), inject(2, "left", STUCK), move(3), clear(4, "left", STUCK), move(5));
-        TimelineModel model = TimelineModel.of(commands);
+        TimelineModel model = TimelineModel.of(commands, DT);
         TimelineItem fault = model.items().get(1);
         assertEquals(
                 List.of(move(1), inject(2.5, "left", STUCK), clear(6, "left", STUCK), move(3), move(5)),
@@ -129,7 +146,7 @@ class TimelineModelTest {
     @Test
     void movingOneEndOfSeveralFaultsThatEndTogetherLeavesTheOthers() {
         List<TimedCommand> commands = List.of(inject(1, "left", STUCK), inject(2, "left", DEAD), clearAll(5, "left"));
-        TimelineModel model = TimelineModel.of(commands);
+        TimelineModel model = TimelineModel.of(commands, DT);
         List<TimedCommand> changed = model.with(0, model.items().get(0).withTimes(1, 7));
         assertEquals(List.of("left 1.0 7.0", "left 2.0 5.0"), spans(changed));
         assertEquals(List.of("left 2.0 5.0"), spans(model.without(0)));
@@ -139,7 +156,7 @@ class TimelineModelTest {
     void aFaultThatIsExtendedAcrossTheRemovalOfAllFaultsIsNotEndedByIt() {
         List<TimedCommand> commands = List.of(
                 inject(1, "left", STUCK), clear(3, "left", STUCK), inject(2, "left", DEAD), clearAll(5, "left"));
-        TimelineModel model = TimelineModel.of(commands);
+        TimelineModel model = TimelineModel.of(commands, DT);
         TimelineItem stuck = model.items().get(0);
         List<String> extended = List.of("left 1.0 7.0", "left 2.0 5.0");
         assertEquals(extended, spans(model.with(0, stuck.withTimes(1, 7))));
@@ -149,19 +166,19 @@ class TimelineModelTest {
         List<TimedCommand> equal = List.of(inject(1, "left", DEAD), inject(2, "left", DEAD), clearAll(5, "left"));
         assertEquals(
                 List.of("left 1.0 5.0", "left 2.0 5.0", "left 3.0 6.0"),
-                spans(TimelineModel.of(equal).with(stuck.withTimes(3, 6))));
+                spans(TimelineModel.of(equal, DT).with(stuck.withTimes(3, 6))));
     }
 
     @Test
     void anItemCanBeCopiedToAnotherSensorAndTime() {
-        TimelineItem item = TimelineModel.of(List.of(inject(1, "left", STUCK), clear(3, "left", STUCK)))
+        TimelineItem item = TimelineModel.of(List.of(inject(1, "left", STUCK), clear(3, "left", STUCK)), DT)
                 .items()
                 .get(0);
         TimelineItem copy = item.inLane(new Lane.SensorLane("rear")).withTimes(10, 12);
         List<TimedCommand> both = new ArrayList<>(item.commands());
         both.addAll(copy.commands());
         assertEquals(List.of("left 1.0 3.0", "rear 10.0 12.0"), spans(both));
-        assertEquals(both, TimelineModel.of(item.commands()).with(copy));
+        assertEquals(both, TimelineModel.of(item.commands(), DT).with(copy));
     }
 
     @Test
@@ -171,7 +188,7 @@ class TimelineModelTest {
         List<TimedCommand> commands =
                 List.of(new TimedCommand(2, inject), new TimedCommand(4, new Command.ClearMotorFaults(MotorSide.LEFT)));
         assertEquals(List.of("left motors 2.0 4.0"), spans(commands));
-        TimelineItem item = TimelineModel.of(commands).items().get(0);
+        TimelineItem item = TimelineModel.of(commands, DT).items().get(0);
         assertEquals(
                 "right motors",
                 item.inLane(new Lane.MotorLane(MotorSide.RIGHT)).lane().label());
