@@ -87,6 +87,8 @@ class RecordLimitsTest {
                 new Command.SetPlatform(0.25, 0.2, 0.3),
                 new ControllerSpec.Drive(1, 2),
                 ControllerSpec.WallFollowing.DEFAULT,
+                new ControllerSpec.Extern(0, 0.3),
+                new ControllerSpec.Provided("mine", 0, 0.3, Map.of()),
                 new GainRule.Length(1),
                 new GainRule.Fixed(1, 2),
                 SimulationSetup.of(WORLD, pose),

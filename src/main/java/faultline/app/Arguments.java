@@ -164,6 +164,17 @@ final class Arguments {
         return value.isEmpty() ? Optional.empty() : Optional.of(parsePath(value.get()));
     }
 
+    /** Returns the value of an option that names a file to write. */
+    Optional<Path> outputOption(String option) throws UsageException {
+        Optional<Path> file = fileOption(option);
+        String name = value(option).orElse("");
+        // That an existing folder is no file is said when it is opened.
+        if ((name.endsWith("/") || name.endsWith(File.separator)) && !Files.isDirectory(file.orElseThrow())) {
+            throw UsageException.ofValue(option, name, "the name of a file, which does not end with a slash");
+        }
+        return file;
+    }
+
     /** Throws an exception if an output would replace an input or another output. */
     static void requireDistinct(List<Path> inputs, List<Path> outputs) throws UsageException {
         Optional<Path> conflict = LinkResolver.findConflict(inputs, outputs);

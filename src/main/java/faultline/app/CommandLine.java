@@ -180,7 +180,7 @@ final class CommandLine {
             return println(help(first, args.subList(1, args.size())));
         }
         if (COMMANDS.contains(first)) {
-            return args.contains(HELP) || hasShortHelp(args)
+            return args.contains(HELP) || args.contains(SHORT_HELP)
                     ? println(HelpText.help(first))
                     : runGuarded(first, args.subList(1, args.size()));
         }
@@ -200,12 +200,6 @@ final class CommandLine {
                         .filter(command -> command.startsWith("--") == option)
                         .toList());
         return hint.isEmpty() && option ? "; options follow it" : hint;
-    }
-
-    /** Returns whether arguments ask for help by one letter, which after an option may be its value. */
-    private static boolean hasShortHelp(List<String> args) {
-        int at = args.indexOf(SHORT_HELP);
-        return at > 0 && !args.get(at - 1).startsWith("--");
     }
 
     /** Returns the help of a command, or of all if none is named, for a word that asks for it. */

@@ -73,7 +73,7 @@ final class CompareCommand {
         ControllerJars.use(options.jars());
         Path file = arguments.singleFile("compare");
         Path page = arguments
-                .fileOption("--out")
+                .outputOption("--out")
                 .orElseThrow(() -> new UsageException("compare needs --out FILE.html, the page that it writes"));
         if (choices.size() < 2 || choices.stream().distinct().count() < choices.size()) {
             throw new UsageException("compare needs --controller at least twice, each time with another one");

@@ -37,7 +37,7 @@ final class ImportCommand {
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
         Arguments parsed = new Arguments(arguments, OPTION_NAMES, List.of(NEGATE));
         Path map = parsed.singleFile("import", "map or image");
-        Path target = parsed.fileOption("--out")
+        Path target = parsed.outputOption("--out")
                 .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
         FloorPlan plan = read(map, parsed, options(parsed));
         Arguments.requireDistinct(List.of(map, plan.description().image()), List.of(target));

@@ -25,9 +25,9 @@ final class ReportCommand {
             throw new UsageException("report takes the folder of one campaign, not "
                     + (parsed.files().isEmpty() ? "none" : parsed.files().size()));
         }
-        Path target = parsed.fileOption("--out")
+        Path target = parsed.outputOption("--out")
                 .orElseThrow(() -> new UsageException("report needs --out FILE.html, the page that it writes"));
-        Optional<Path> table = parsed.fileOption("--table");
+        Optional<Path> table = parsed.outputOption("--table");
         List<Path> targets = table.map(file -> List.of(target, file)).orElse(List.of(target));
         Path folder = Arguments.parsePath(parsed.files().get(0));
         List<Path> jars = ControllerOptions.addJar(parsed);

@@ -124,7 +124,7 @@ record RunOptions(
         Map<Output, Path> outputs = new EnumMap<>(Output.class);
         for (Output output : Output.values()) {
             if (output != Output.TRACE_HEADER) {
-                outputFile(arguments, output.option()).ifPresent(path -> outputs.put(output, path));
+                arguments.outputOption(output.option()).ifPresent(path -> outputs.put(output, path));
             }
         }
         TraceFormat format = traceFormat(arguments);
@@ -136,14 +136,6 @@ record RunOptions(
             outputs.put(Output.TRACE_HEADER, trace.resolveSibling(trace.getFileName() + ".json"));
         }
         return outputs;
-    }
-
-    private static Optional<Path> outputFile(Arguments arguments, String option) throws UsageException {
-        Optional<String> folder = arguments.value(option).filter(name -> name.endsWith("/"));
-        if (folder.isPresent()) {
-            throw UsageException.ofValue(option, folder.get(), "the name of a file, which does not end with a slash");
-        }
-        return arguments.fileOption(option);
     }
 
     private static TraceFormat traceFormat(Arguments arguments) throws UsageException {

@@ -24,7 +24,7 @@ public final class ControllerElement {
             return now;
         }
         Map<String, String> attributes = new LinkedHashMap<>(now.attributes());
-        ControllerReader.foreignAttributes(now).stream()
+        ControllerReader.attributesOfOtherTypes(now).stream()
                 .filter(name -> !kept.contains(name))
                 .forEach(attributes::remove);
         List<String> allowed = ControllerReader.children(ControllerReader.type(now));

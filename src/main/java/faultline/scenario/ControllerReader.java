@@ -92,7 +92,7 @@ final class ControllerReader {
     }
 
     /** Returns the attributes of an element that a controller of its type does not have. */
-    static List<String> foreignAttributes(XmlElement node) {
+    static List<String> attributesOfOtherTypes(XmlElement node) {
         Problems ignored = new Problems("");
         AttributeReader fields = new AttributeReader(node, ignored);
         read(node, fields, ignored);

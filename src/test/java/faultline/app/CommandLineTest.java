@@ -276,8 +276,8 @@ class CommandLineTest {
             --help run check                | --help takes the name of one command, not "run check"
             help rnu                        | help takes the name of one command, not "rnu"; did you mean "run"?
             -h run check                    | -h takes the name of one command, not "run check"
-            run a.xml --seed -h             | --seed is "-h"; expected a whole number from -9223372036854775808 to 9223372036854775807
             run a.xml --trace new/          | --trace is "new/"; expected the name of a file, which does not end with a slash
+            import a.png --out new/         | --out is "new/"; expected the name of a file, which does not end with a slash
             --version 0.1.0                 | --version takes nothing, not "0.1.0"
             --controller none x.xml         | there is no command "--controller"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; options follow it
             --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "--help"?

@@ -55,7 +55,10 @@ final class FirstTick {
         }
         World world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
         commands.forEach(world::execute);
-        return setup.withWorld(setup.world().withObstacles(world.obstacles())).withRobot(world.robot());
+        SimulationSetup edited = setup.withRobot(world.robot());
+        return world.obstacles().equals(setup.world().obstacles())
+                ? edited
+                : edited.withWorld(setup.world().withObstacles(world.obstacles()));
     }
 
     private static SimulationSetup configured(SimulationSetup setup, List<Command> commands) {

@@ -294,8 +294,9 @@ public final class ControlPanel extends JPanel {
         return typed.isPresent();
     }
 
+    /** Returns the field that has the focus, which it keeps while a menu or another window has it for a time. */
     private Optional<PendingField> focusedField() {
-        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        Component owner = focusManager().getPermanentFocusOwner();
         Component field =
                 owner instanceof PendingField ? owner : SwingUtilities.getAncestorOfClass(PendingField.class, owner);
         return field instanceof PendingField typed && isAncestorOf(field) ? Optional.of(typed) : Optional.empty();

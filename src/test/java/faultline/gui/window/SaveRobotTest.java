@@ -24,10 +24,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
@@ -83,6 +86,23 @@ class SaveRobotTest {
     void aNumberThatIsStillBeingTypedIsSaved() throws ScenarioException {
         driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_4, KeyEvent.VK_1);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        assertEquals(0.41, Scenario.load(file).setup().robot().speed());
+    }
+
+    /** An open menu has the focus for a time. */
+    @Test
+    void aNumberThatIsStillBeingTypedIsSavedByTheMenu() throws ScenarioException {
+        driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_4, KeyEvent.VK_1);
+        JMenu menu = callOnEdt(() -> driver.window().getJMenuBar().getMenu(0));
+        driver.click(menu);
+        driver.robot().waitFor("the menu", menu::isPopupMenuVisible);
+        JMenuItem save = callOnEdt(() -> IntStream.range(0, menu.getItemCount())
+                .mapToObj(menu::getItem)
+                .filter(item -> item != null && item.getText().equals("Save"))
+                .findFirst()
+                .orElseThrow());
+        driver.click(save);
         driver.waitForTitle("office.xml");
         assertEquals(0.41, Scenario.load(file).setup().robot().speed());
     }
