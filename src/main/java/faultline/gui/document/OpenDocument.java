@@ -60,16 +60,21 @@ record OpenDocument(ScenarioDocument document, Session session, boolean ownContr
     }
 
     /**
-     * Returns the result of a command of the run with the tick of the edited scenario: its ticks have another length if
-     * a restart that changes them was cancelled.
+     * Returns the first tick of the edited scenario that is not before a tick of the run: the ticks have another length
+     * if a restart that changes them was cancelled. Any thread may call this.
      */
-    CommandResult inTicksOfScenario(CommandResult result) {
+    long tickOfScenario(long tickOfRun) {
         SimulationSetup inRun = session.setup();
         SimulationSetup edited = document.initial().setup();
-        if (inRun.dt() == edited.dt()) {
+        return inRun.dt() == edited.dt() ? tickOfRun : edited.tickAt(inRun.timeOf(tickOfRun));
+    }
+
+    /** Returns the result of a command of the run with the {@linkplain #tickOfScenario tick of the edited scenario}. */
+    CommandResult inTicksOfScenario(CommandResult result) {
+        long tick = tickOfScenario(result.tick());
+        if (tick == result.tick()) {
             return result;
         }
-        long tick = edited.tickAt(inRun.timeOf(result.tick()));
         return result.refusal()
                 .<CommandResult>map(reason -> new CommandResult.Refused(tick, result.command(), reason))
                 .orElseGet(() -> new CommandResult.Executed(tick, result.command(), result.inverse()));

@@ -44,24 +44,30 @@ public final class RunNavigator implements WorkspaceListener {
      * was there before: with the commands that were executed before the next tick. Later commands are executed again at
      * their ticks, unless another command is executed before. If there are later events, all events are put on the
      * timeline before, where they act from their ticks on. Does nothing while a scenario is being opened.
+     *
+     * <p>The tick is one of the present run. If the edited scenario has ticks of another length, because a restart was
+     * cancelled, the run moves to its first tick that is not before that time.
      */
     public void seek(long tick) {
-        if (isOpening()) {
-            return;
-        }
-        resuming = false;
-        workspace.fire(listener -> listener.seekStarted(tick));
-        workspace
-                .openDocument()
-                .ifPresent(now -> replay(
-                        now, TaskKind.GO_TO, () -> now.document().prepareMoveTo(tick), past -> tick, Session::replay));
+        workspace.openDocument().ifPresent(now -> seek(now, tick, now.tickOfScenario(tick)));
     }
 
     /** Moves the run to the first tick that is not before a time, seconds, as {@link #seek} does. */
     public void seekTime(double seconds) {
-        workspace
-                .openDocument()
-                .ifPresent(now -> seek(now.document().initial().setup().tickAt(seconds)));
+        workspace.openDocument().ifPresent(now -> {
+            long target = now.document().initial().setup().tickAt(seconds);
+            seek(now, now.session().setup().tickAt(seconds), target);
+        });
+    }
+
+    /** Moves the run to a tick of the edited scenario, given the tick of the run that is shown until it is there. */
+    private void seek(OpenDocument now, long shown, long target) {
+        if (isOpening()) {
+            return;
+        }
+        resuming = false;
+        workspace.fire(listener -> listener.seekStarted(shown));
+        replay(now, TaskKind.GO_TO, () -> now.document().prepareMoveTo(target), past -> target, Session::replay);
     }
 
     /** Returns the time of the run, seconds. */
@@ -88,7 +94,12 @@ public final class RunNavigator implements WorkspaceListener {
             }
             resuming |= now.session().status().running();
             discardFuture();
-            replay(now, TaskKind.RESIMULATE, now.document()::prepareResimulation, Journal::ticks, Session::resimulate);
+            replay(
+                    now,
+                    TaskKind.RESIMULATE,
+                    now.document()::prepareResimulation,
+                    past -> now.tickOfScenario(past.ticks()),
+                    Session::resimulate);
         });
     }
 
@@ -192,8 +203,11 @@ public final class RunNavigator implements WorkspaceListener {
 
     /** Moves the run back by one tick, asynchronously, and pauses it there; does nothing while a task is active. */
     public void stepBack() {
-        if (currentTick() > 0) {
-            seekIfIdle(currentTick() - 1);
+        if (currentTick() > 0 && workspace.task().isEmpty()) {
+            // A longer tick of the edited scenario may contain both this tick and the one before.
+            workspace
+                    .openDocument()
+                    .ifPresent(now -> seek(now, currentTick() - 1, now.tickOfScenario(currentTick()) - 1));
         }
     }
 

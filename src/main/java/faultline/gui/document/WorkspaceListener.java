@@ -26,7 +26,7 @@ public interface WorkspaceListener {
      */
     default void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {}
 
-    /** The user moves the run to a tick; {@link #runRepositioned} follows when it is there. */
+    /** The user moves the run to one of its ticks; {@link #runRepositioned} follows when it is there. */
     default void seekStarted(long tick) {}
 
     /**

@@ -37,6 +37,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Edits while the run is moved to other ticks. Two edits are made, at tick 10 and at tick 20 of 30. */
 @ExtendWith(EdtChecker.class)
@@ -116,6 +118,63 @@ class RunNavigatorTest {
         edit(new Command.SwitchSensor("left", false));
         assertEquals(FIRST, pole(), "a new edit comes after it");
         assertEquals(List.of(new ForkedEdits(1, 0)), forks, "only the edit at tick 20 is ahead");
+    }
+
+    /** As if the user had cancelled the restart that a change of the length of the ticks from 0.01 s makes. */
+    private void changeTickWithoutRestart(double tick) {
+        runOnEdt(() -> {
+            run.change(scenario -> scenario.withSetup(scenario.setup().withTick(tick)));
+            workspace.cancelTask();
+        });
+        Await.until(
+                "the change", () -> workspace.scenario().orElseThrow().setup().dt() == tick);
+    }
+
+    private void awaitTime(double seconds) {
+        Await.until(
+                seconds + " s",
+                () -> workspace.task().isEmpty()
+                        && SessionFrames.frame(workspace).dt() != 0.01);
+        assertEquals(seconds, callOnEdt(run.navigator()::currentTime), 1e-12);
+    }
+
+    @Test
+    void aMoveAfterACancelledRestartIsToTheTimeOfTheTickOfTheRun() {
+        changeTickWithoutRestart(0.02);
+        runOnEdt(() -> run.navigator().seek(20));
+        awaitTime(0.2);
+        seek(5);
+        assertEquals(0.1, callOnEdt(run.navigator()::currentTime), 1e-12, "the run has the changed ticks");
+    }
+
+    @Test
+    void aTimeAfterACancelledRestartIsShownAtTheTickOfTheRun() {
+        List<Long> shown = new ArrayList<>();
+        runOnEdt(() -> workspace.addListener(new WorkspaceListener() {
+            @Override
+            public void seekStarted(long tick) {
+                shown.add(tick);
+            }
+        }));
+        changeTickWithoutRestart(0.02);
+        runOnEdt(() -> run.navigator().seekTime(0.12));
+        awaitTime(0.12);
+        assertEquals(List.of(12L), shown);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.02, 0.28", "0.005, 0.295"})
+    void aStepBackAfterACancelledRestartIsOneOfTheChangedTicks(double tick, double time) {
+        changeTickWithoutRestart(tick);
+        runOnEdt(run.navigator()::stepBack);
+        awaitTime(time);
+    }
+
+    @Test
+    void aChangeAfterACancelledRestartIsSimulatedUpToTheTimeOfTheRun() {
+        changeTickWithoutRestart(0.02);
+        runOnEdt(this::changeSeed);
+        awaitTime(0.3);
     }
 
     @Test
