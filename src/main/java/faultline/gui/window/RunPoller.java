@@ -1,6 +1,5 @@
 package faultline.gui.window;
 
-import faultline.engine.SimulationSetup;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.engine.session.SessionView;
@@ -125,8 +124,7 @@ final class RunPoller implements WorkspaceListener {
         replayNotifier.update(frame.frame());
         workspace.scenario().ifPresent(open -> {
             mainPanel.setRun(frame, status, open, navigator.furthestTick());
-            SimulationSetup setup = open.setup();
-            endNotifier.update(frame.snapshot().tick(), setup.ticks(), setup.duration());
+            endNotifier.update(frame.snapshot().tick(), frame.dt(), open.setup());
         });
         listeners.forEach(listener -> listener.accept(frame, status));
         return status;
