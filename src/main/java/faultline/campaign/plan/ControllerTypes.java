@@ -2,6 +2,7 @@ package faultline.campaign.plan;
 
 import faultline.external.ControllerNames;
 import faultline.scenario.ControllerElement;
+import faultline.scenario.ExpectElement;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -23,7 +24,7 @@ final class ControllerTypes {
         Set<String> types = new LinkedHashSet<>();
         for (WorldSource world : worlds) {
             List<String> common = typesIn(constants);
-            List<String> own = common.isEmpty() ? List.of(typeIn(world)) : common;
+            List<String> own = common.isEmpty() ? List.of(typeIn(world.root(0))) : common;
             List<String> varied = new ArrayList<>();
             // At most one factor sets the type.
             factors.stream()
@@ -38,9 +39,8 @@ final class ControllerTypes {
         return List.copyOf(types);
     }
 
-    private static String typeIn(WorldSource world) {
-        return world.root(0)
-                .firstChild("controller")
+    private static String typeIn(XmlElement root) {
+        return root.firstChild("controller")
                 .map(controller -> controller.attributes().get("type"))
                 .map(String::strip)
                 .filter(Predicate.not(String::isEmpty))
@@ -65,38 +65,48 @@ final class ControllerTypes {
     }
 
     /**
-     * Returns a changed scenario without what its file says about a controller of another type than the changes set. A
-     * plan can thus set the type in scenarios whose files have attributes of their own type. What the plan sets stays.
+     * Returns a changed scenario without what its file says about a controller of another type than the changes set,
+     * and without the states that it expects only of such a controller. A plan can thus set the type in scenarios whose
+     * files have attributes of their own type. What the plan sets stays.
      */
     static XmlElement withoutEarlierType(
             XmlElement original, XmlElement changed, List<ScenarioChange> constants, List<ScenarioChange> edits) {
-        Optional<XmlElement> before = original.firstChild("controller");
-        if (before.isEmpty() || typesIn(edits).isEmpty()) {
+        if (typesIn(edits).isEmpty() || typeIn(original).equals(typeIn(changed))) {
             return changed;
         }
-        Set<String> kept = Stream.concat(constants.stream(), edits.stream())
-                .flatMap(ControllerTypes::setByPlan)
-                .collect(Collectors.toSet());
+        List<ScenarioChange> changes =
+                Stream.concat(constants.stream(), edits.stream()).toList();
+        Optional<XmlElement> before = original.firstChild("controller");
+        Set<String> keptOfController = setByPlan(changes, "controller");
+        Set<String> keptOfExpect = setByPlan(changes, "expect");
         List<XmlElement> children = changed.children().stream()
-                .map(child -> child.name().equals("controller")
-                        ? ControllerElement.withoutEarlierType(before.get(), child, kept)
-                        : child)
+                .map(child -> switch (child.name()) {
+                    case "controller" ->
+                        before.map(own -> ControllerElement.withoutEarlierType(own, child, keptOfController))
+                                .orElse(child);
+                    case "expect" -> ExpectElement.withPossibleStates(child, changed, keptOfExpect);
+                    default -> child;
+                })
                 .toList();
         return new XmlElement(changed.name(), changed.location(), changed.attributes(), children, changed.text());
     }
 
-    /** Returns the name of the attribute or of the child of the controller that a change sets, if it sets one. */
-    private static Stream<String> setByPlan(ScenarioChange change) {
+    /** Returns the names of the attributes and of the children of a section that changes set. */
+    private static Set<String> setByPlan(List<ScenarioChange> changes, String section) {
+        return changes.stream()
+                .flatMap(change -> setByPlan(change, section).stream())
+                .collect(Collectors.toSet());
+    }
+
+    private static Optional<String> setByPlan(ScenarioChange change, String section) {
         if (!(change instanceof ScenarioChange.SetAttribute set)) {
-            return Stream.of();
+            return Optional.empty();
         }
         List<AttributePath.PathStep> steps = set.path().steps();
-        boolean ofController = !steps.isEmpty() && steps.get(0).element().equals("controller");
-        return ofController
-                ? Stream.of(
-                        steps.size() == 1
-                                ? set.path().attribute()
-                                : steps.get(1).element())
-                : Stream.of();
+        if (steps.isEmpty() || !steps.get(0).element().equals(section)) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                steps.size() == 1 ? set.path().attribute() : steps.get(1).element());
     }
 }

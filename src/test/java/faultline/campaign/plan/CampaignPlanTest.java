@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.campaign.RandomRoom;
 import faultline.campaign.RoomRules;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.GainRule;
 import faultline.control.Thresholds;
 import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -113,6 +115,41 @@ class CampaignPlanTest {
         assertEquals(
                 ControllerSpec.WallFollowing.DEFAULT,
                 replaced.scenario(replaced.run(0)).setup().controller());
+    }
+
+    private static List<Expectation.Condition> conditions(CampaignPlan plan, int run) throws ScenarioException {
+        return plan.scenario(plan.run(run)).expectation().conditions();
+    }
+
+    @Test
+    void anotherTypeOfControllerIsNotExpectedToReachTheStatesOfTheFile() throws ScenarioException {
+        String types = "<set attribute=\"controller/@type\" value=\"wall-follower none drive\"/>";
+        String expect = "<expect collision=\"false\" states=\"SEARCH FOLLOW\" finalState=\"FOLLOW\"/></scenario>";
+        Expectation.Condition collision = new Expectation.Collides(false);
+        for (String controller : List.of("", "<controller distance=\"0.3\"/>")) {
+            CampaignPlan plan = planOfTypes(controller + expect, types);
+            assertEquals(4, conditions(plan, 0).size());
+            assertEquals(List.of(collision), conditions(plan, 1));
+            assertEquals(List.of(collision), conditions(plan, 2));
+        }
+        String later = "<timeline><controller at=\"1\" type=\"drive\"/></timeline>";
+        String both = "<expect states=\"SEARCH DRIVE\"/></scenario>";
+        CampaignPlan plan = planOfTypes(later + both, "<set attribute=\"controller/@type\" value=\"none\"/>");
+        assertEquals(List.of(new Expectation.VisitedState(ControllerState.of("DRIVE"))), conditions(plan, 0));
+    }
+
+    @Test
+    void statesThatThePlanItselfExpectsOfAnotherTypeAreReported() {
+        String none = "<set attribute=\"controller/@type\" value=\"none\"/>";
+        String states = "<set attribute=\"expect/@finalState\" value=\"FOLLOW\"/>";
+        ScenarioException refusal = assertThrows(
+                ScenarioException.class,
+                () -> planOfTypes("<expect states=\"SEARCH\" finalState=\"SEARCH\"/></scenario>", none + states));
+        assertEquals(
+                List.of("finalState of <expect> is \"FOLLOW\"; expected one of the controller's states: NONE (in a)"),
+                refusal.problems().stream()
+                        .map(problem -> problem.message().toString())
+                        .toList());
     }
 
     @Test
