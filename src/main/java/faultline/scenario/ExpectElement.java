@@ -9,6 +9,7 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlElement;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -28,7 +29,8 @@ public final class ExpectElement {
      * @param kept the names of the attributes that stay in any case
      */
     public static XmlElement withPossibleStates(XmlElement expect, XmlElement root, Set<String> kept) {
-        Set<String> possible = states(root);
+        Set<String> possible =
+                possibleStates(root).stream().map(ControllerState::name).collect(Collectors.toSet());
         if (possible.isEmpty()) {
             return expect;
         }
@@ -47,14 +49,17 @@ public final class ExpectElement {
         return left.isEmpty() ? null : left;
     }
 
-    /** Returns the states of the controllers of a scenario, without reporting mistakes in it. */
-    private static Set<String> states(XmlElement root) {
+    /**
+     * Returns the states of all controllers of a scenario, those of the first one first, without reporting mistakes;
+     * empty if the first one is not part of the program.
+     */
+    static List<ControllerState> possibleStates(XmlElement root) {
         Problems ignored = new Problems("");
         ControllerSpec first = root.firstChild("controller")
                 .map(node -> ControllerReader.read(node, ignored))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
         if (!(first instanceof ControllerSpec.BuiltIn)) {
-            return Set.of();
+            return List.of();
         }
         Stream<ControllerSpec> later = root.childrenNamed("timeline")
                 .flatMap(timeline -> timeline.childrenNamed("controller"))
@@ -62,7 +67,7 @@ public final class ExpectElement {
                         new AttributeReader(node, ignored), ControllerReader.defaultsFor(first)));
         return Stream.concat(Stream.of(first), later)
                 .flatMap(controller -> ControllerFactory.states(controller).stream())
-                .map(ControllerState::name)
-                .collect(Collectors.toSet());
+                .distinct()
+                .toList();
     }
 }

@@ -103,11 +103,7 @@ final class ScenarioReader {
                 .map(node -> ControllerReader.read(node, problems))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
         if (world.isEmpty() || robot.isEmpty()) {
-            // The timeline needs a robot, so the states of its controllers are not known.
-            boolean isOnlyController = root.firstChild("timeline")
-                    .flatMap(timeline -> timeline.firstChild("controller"))
-                    .isEmpty();
-            readExpectation(root, isOnlyController ? ControllerFactory.states(controller) : List.of());
+            readExpectation(root, ExpectElement.possibleStates(root));
             return Optional.empty();
         }
         SimulationSetup setup = SimulationSetup.of(world.get(), robot.get().start())

@@ -253,16 +253,16 @@ class ScenarioReaderTest {
     }
 
     @Test
-    void expectedStatesAreCheckedWithoutARobotUnlessTheTimelineChangesTheController() {
+    void expectedStatesAreCheckedWithoutARobot() {
         String scenario =
                 """
                 <scenario xmlns="urn:faultline:scenario:1"><world width="6" height="4"/>
-                <timeline>%s</timeline><expect states="FOLOW"/></scenario>
+                <controller type="none"/><timeline>%s</timeline><expect states="FOLLOW"/></scenario>
                 """;
         assertEquals(2, SampleScenario.problems(scenario.formatted("")).size());
         assertEquals(
                 1,
-                SampleScenario.problems(scenario.formatted("<controller at=\"2\" type=\"none\"/>"))
+                SampleScenario.problems(scenario.formatted("<controller at=\"2\" type=\"wall-follower\"/>"))
                         .size());
     }
 

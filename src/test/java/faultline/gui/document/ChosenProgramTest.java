@@ -247,8 +247,7 @@ class ChosenProgramTest {
         assertEquals(1, callOnEdt(differences::size), "the changed program again");
     }
 
-    @Test
-    void aNewIdOfAnObstacleReportsThatAChangedProgramHasDecidedDifferently() throws Exception {
+    private void moveTheTreeInARunOfAProgram() throws Exception {
         choose("sh " + script("CIRCLE"));
         waitFor("the second session", () -> sessionCount == 2);
         runOnEdt(() -> {
@@ -256,6 +255,11 @@ class ChosenProgramTest {
             run.step();
         });
         Await.until("the move", () -> tick() == 1 && workspace.isChanged());
+    }
+
+    @Test
+    void aNewIdOfAnObstacleReportsThatAChangedProgramHasDecidedDifferently() throws Exception {
+        moveTheTreeInARunOfAProgram();
         runOnEdt(() -> run.rename(Rename.ofObstacle("tree", "oak")));
         waitFor("the third session", () -> sessionCount == 3);
         assertEquals(List.of(), callOnEdt(() -> List.copyOf(differences)), "the same program");
@@ -289,13 +293,7 @@ class ChosenProgramTest {
     void aRunWithFewerCommandsThanBeforeIsNoOtherDecision() throws Exception {
         Scenario original = callOnEdt(() -> workspace.scenario().orElseThrow());
         WorldSpec world = original.setup().world();
-        choose("sh " + script("CIRCLE"));
-        waitFor("the second session", () -> sessionCount == 2);
-        runOnEdt(() -> {
-            run.send(List.of(new Command.MoveObstacle("tree", new Pose(9, 2.5, 0))), results -> {});
-            run.step();
-        });
-        Await.until("the move", () -> tick() == 1 && workspace.isChanged());
+        moveTheTreeInARunOfAProgram();
         Files.writeString(folder.resolve("follower.sh"), FOLLOWER.replace("0.1", "0.3"));
         runOnEdt(() -> {
             run.change(now -> now.withSetup(now.setup().withWorld(world.withObstacles(List.of()))));
