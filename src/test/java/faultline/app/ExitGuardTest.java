@@ -145,7 +145,7 @@ class ExitGuardTest {
         assertTrue(Files.readString(folder.resolve("errors")).startsWith("tick 0" + System.lineSeparator()));
     }
 
-    /** Ends the process by itself, after or without a guard. */
+    /** Ends the process by itself, after or without a guard, or by another thread. */
     static final class GuardedProgram {
 
         private GuardedProgram() {}
@@ -154,13 +154,17 @@ class ExitGuardTest {
             ExitGuard guard = ExitGuard.start(new CommandOutput(System.out, System.err));
             if (!arguments[0].equals("guarded")) {
                 guard.close();
-                if (arguments[0].equals("signalled")) {
-                    // A signal has started this hook, which the guard could not remove, and the run has ended since.
+                if (!arguments[0].equals("closed")) {
+                    // The end of the process has started this hook, and the run has ended since.
                     Runtime.getRuntime().addShutdownHook(new Thread(guard::report));
                 }
-                System.exit(5);
+                if (!arguments[0].equals("ended by another")) {
+                    System.exit(5);
+                }
+                new Thread(() -> System.exit(5)).start();
+            } else {
+                System.out.println("ready");
             }
-            System.out.println("ready");
             Thread.currentThread().join();
         }
     }
@@ -171,6 +175,14 @@ class ExitGuardTest {
         Process process = start(GuardedProgram.class.getName(), end);
         assertEquals("", JavaProcess.output(process));
         assertEquals(5, process.waitFor());
+    }
+
+    /** The end of the process cancels a campaign, whose end closes the guard. */
+    @Test
+    void anEndByTheControllerIsReportedAlsoIfItEndsTheRun() throws Exception {
+        Process process = start(GuardedProgram.class.getName(), "ended by another");
+        assertEquals(MESSAGE, JavaProcess.output(process));
+        assertEquals(ExitCode.RUN_FAILED, process.waitFor());
     }
 
     /** Returns the signals that end a program; the children of a shell's background job ignore SIGINT. */
