@@ -219,17 +219,24 @@ final class CompareCommand {
             Map<Path, Scenario> replays)
             throws IOException {
         files.write(files.page(), comparison.html().getBytes(StandardCharsets.UTF_8));
-        files.write(files.table(), comparison.csv().getBytes(StandardCharsets.UTF_8));
-        List<String> unsaved = writeReplays(files, replays);
+        List<String> unsaved = List.of();
+        if (files.areBesidePage()) {
+            files.write(files.table(), comparison.csv().getBytes(StandardCharsets.UTF_8));
+            unsaved = writeReplays(files, replays);
+        }
         files.commit();
         output.println(comparison.lines());
         comparison.seedRemarks().forEach(remark -> output.println("seeds: " + remark));
         comparison.sameRunRemarks().forEach(remark -> output.println("runs: " + remark));
         output.println("page: " + files.page());
-        output.println("table: " + files.table());
+        if (files.areBesidePage()) {
+            output.println("table: " + files.table());
+        }
         compared.forEach(this::reportRefusals);
         comparison.windowCommands().forEach(command -> output.println("window: " + command));
-        replays.keySet().forEach(replay -> output.println("replay: " + replay));
+        if (files.areBesidePage()) {
+            replays.keySet().forEach(replay -> output.println("replay: " + replay));
+        }
         unsaved.forEach(output::printError);
         if (!compared.stream().allMatch(runs -> runs.broken().isEmpty())) {
             return ExitCode.RUN_FAILED;

@@ -14,7 +14,8 @@ import java.util.Set;
 
 /**
  * The files that {@code compare} writes: a page, a table, and a replay for each controller. All are opened before the
- * runs, so that one that cannot be written is reported at once, and moved into place after them.
+ * runs, so that one that cannot be written is reported at once, and moved into place after them. A page that is a
+ * device or a pipe has no files beside it.
  */
 final class ComparisonFiles implements AutoCloseable {
 
@@ -69,9 +70,19 @@ final class ComparisonFiles implements AutoCloseable {
 
     /** Opens all files. */
     void open() throws IOException {
-        for (Path file : all()) {
-            opened.put(file, group.create(file));
+        AtomicFile openedPage = group.create(page);
+        opened.put(page, openedPage);
+        if (!openedPage.isStream()) {
+            opened.put(table, group.create(table));
+            for (Path replay : replays) {
+                opened.put(replay, group.create(replay));
+            }
         }
+    }
+
+    /** Returns whether the page, which has been opened, has files beside it. */
+    boolean areBesidePage() {
+        return opened.containsKey(table);
     }
 
     /** Writes one of the opened files. */
@@ -86,7 +97,7 @@ final class ComparisonFiles implements AutoCloseable {
      */
     void commit() throws IOException {
         for (Path replay : replays) {
-            if (!written.contains(replay)) {
+            if (opened.containsKey(replay) && !written.contains(replay)) {
                 group.discard(opened.get(replay));
             }
         }

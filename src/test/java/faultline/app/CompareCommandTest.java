@@ -89,6 +89,19 @@ class CompareCommandTest {
     }
 
     @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "it has no /dev/null")
+    void aPageThatIsADeviceHasNoFilesBesideIt() throws Exception {
+        Path page = Files.createSymbolicLink(page(), Path.of("/dev/null"));
+        CommandResult result = compare("--controller", "none", "--controller", "wall-follower", "--until", "1");
+        assertEquals(0, result.code, result.err);
+        assertTrue(result.out.contains("page: " + page + "\n"), result.out);
+        assertFalse(result.out.contains("table: ") || result.out.contains("replay: "), result.out);
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of(page), files.toList());
+        }
+    }
+
+    @Test
     void controllersAndOtherValuesMayFollowAnEqualsSign() throws Exception {
         assertEquals(0, compare("--controller", "none", "--controller", "wall-follower", "--until", "1").code);
         List<String> separate = table();
