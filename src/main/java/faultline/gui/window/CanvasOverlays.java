@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.form.StatelessLayout;
 import faultline.paint.scene.CornerChoice;
 import faultline.paint.scene.CornerChoice.Corner;
 import java.awt.Component;

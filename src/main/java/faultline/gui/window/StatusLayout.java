@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.form.StatelessLayout;
 import faultline.gui.theme.TextSize;
 import java.awt.Component;
 import java.awt.Container;

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.form.StatelessLayout;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.form;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -6,11 +6,11 @@ import java.awt.Dimension;
 import java.awt.LayoutManager;
 
 /** A layout that may be as narrow as its window and needs no names or state of its components. */
-abstract class StatelessLayout implements LayoutManager {
+public abstract class StatelessLayout implements LayoutManager {
 
     @Override
-    public Dimension minimumLayoutSize(Container bar) {
-        return new Dimension(0, preferredLayoutSize(bar).height);
+    public Dimension minimumLayoutSize(Container parent) {
+        return new Dimension(0, preferredLayoutSize(parent).height);
     }
 
     @Override
