@@ -52,6 +52,7 @@ final class LayerRules {
             "gui.panel",
             "gui.motor",
             "gui.action",
+            "gui.bar",
             "gui.timeline",
             "gui.instrument",
             "gui.properties",

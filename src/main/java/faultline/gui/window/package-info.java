@@ -1,2 +1,5 @@
-/** The main window: menus, tool bar, canvas, control panel and status bar. Event dispatch thread only, asserted. */
+/**
+ * The main window: its menus, its contents, and the timer that polls the run for them. Event dispatch thread only,
+ * asserted.
+ */
 package faultline.gui.window;

@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.bar.StatusBar;
 import faultline.gui.theme.Theme;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -68,7 +70,8 @@ class ControllerNotesRobotTest {
     }
 
     private boolean showsState(String state) {
-        return ComponentFinder.findAll(driver.window(), StatusCell.class)
+        return ComponentFinder.findAll(driver.window(), StatusBar.class)
+                .flatMap(bar -> ComponentFinder.findAll(bar, JLabel.class))
                 .anyMatch(cell -> cell.getText().equals(state));
     }
 

@@ -185,7 +185,7 @@ class KeysPageRobotTest {
     /** Returns the controls of each area and tab, all of which Tab reaches. */
     private String controlTable() {
         StringBuilder table = new StringBuilder("\n| Area | Controls |\n| --- | --- |\n");
-        callOnEdt(() -> table.append(row("Speed", Optional.empty(), find(SpeedSlider.class)))
+        callOnEdt(() -> table.append(row("Speed", Optional.empty(), find(JSlider.class, "Speed")))
                 .append(row("Canvas", Optional.empty(), driver.canvas()))
                 .append(row("Time line", Optional.empty(), find(TimeBar.class)))
                 .append(row("Lanes", Optional.empty(), find(LaneView.class))));

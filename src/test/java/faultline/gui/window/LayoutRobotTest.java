@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.bar.ObstaclePalette;
+import faultline.gui.bar.ToolBar;
 import faultline.gui.form.NumberSpinner;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.text.Language;

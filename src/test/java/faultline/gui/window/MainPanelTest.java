@@ -25,6 +25,7 @@ import faultline.gui.action.SensorActions;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
+import faultline.gui.bar.ToolBar;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.dialog.Dialogs;
@@ -328,7 +329,7 @@ class MainPanelTest {
             for (int width = 500; width < 1100; width += 20) {
                 int room = width;
                 runOnEdt(() -> setSizeAndLayOut(room, 560));
-                Rectangle slider = placeOf(SpeedSlider.class);
+                Rectangle slider = placeOf(JSlider.class);
                 Rectangle name = placeOf(JLabel.class);
                 assertEquals(slider.getCenterY(), name.getCenterY(), 2, width + ": " + slider + ", " + name);
                 assertTrue(name.getMaxX() <= slider.getX(), width + ": " + slider + ", " + name);

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.bar;
 
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ObstacleActions;
@@ -9,12 +9,13 @@ import javax.swing.AbstractButton;
 import javax.swing.JToolBar;
 
 /** A column of buttons, one for each shape that can be placed on the canvas; they are lower on a small screen. */
-final class ObstaclePalette extends JToolBar {
+public final class ObstaclePalette extends JToolBar {
 
     /** The height of an icon with a little room, pixels. */
     private static final int MIN_BUTTON_HEIGHT = 22;
 
-    ObstaclePalette(ActionRegistry actions) {
+    /** Creates a column, given the actions, which include one for each shape. */
+    public ObstaclePalette(ActionRegistry actions) {
         super(VERTICAL);
         setFloatable(false);
         UiText.name(this, "palette");

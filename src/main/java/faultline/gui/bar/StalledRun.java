@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.bar;
 
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;

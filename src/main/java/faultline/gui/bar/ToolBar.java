@@ -1,6 +1,7 @@
-package faultline.gui.window;
+package faultline.gui.bar;
 
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.SpeedScale;
 import faultline.gui.action.UiAction;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.ButtonPainter;
@@ -25,7 +26,7 @@ import javax.swing.UIManager;
  * The tool bar with the most frequent actions. Its buttons do not take the focus, so that Space still runs and pauses
  * after a click.
  */
-final class ToolBar extends JToolBar {
+public final class ToolBar extends JToolBar {
 
     private static final int BUTTON_SIZE = 32;
     private static final int GROUP_GAP = 12;
@@ -33,7 +34,8 @@ final class ToolBar extends JToolBar {
 
     private final transient ActionRegistry actions;
 
-    ToolBar(ActionRegistry actions, BoundedRangeModel speed) {
+    /** Creates a tool bar; {@code speed} holds positions of {@link SpeedScale}. */
+    public ToolBar(ActionRegistry actions, BoundedRangeModel speed) {
         this.actions = actions;
         UiText.name(this, "toolBar");
         setFloatable(false);
@@ -72,7 +74,7 @@ final class ToolBar extends JToolBar {
     }
 
     /** Creates a button that shows the icon of an action. */
-    static AbstractButton createButton(UiAction action) {
+    private static AbstractButton createButton(UiAction action) {
         return configureButton(action, action.isToggle() ? new ToggleButton() : new PushButton());
     }
 

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.bar;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.bar;
 
 import faultline.gui.form.StatelessLayout;
 import faultline.gui.theme.TextSize;

@@ -1,4 +1,4 @@
-package faultline.gui.window;
+package faultline.gui.bar;
 
 import faultline.control.FollowerState;
 import faultline.engine.session.SessionFrame;
@@ -25,7 +25,7 @@ import javax.swing.JPanel;
  * One line about the run: its state, time, pace, controller state, pose and the cursor position, and at the end a note.
  * If the line is too narrow, the last cells are hidden first, also in favour of the note.
  */
-final class StatusBar extends JPanel {
+public final class StatusBar extends JPanel {
 
     private static final int GAP = 14;
     /** The smallest scale that is shown without decimals, pixels per metre. */
@@ -49,7 +49,8 @@ final class StatusBar extends JPanel {
 
     private int shownRefusals;
 
-    StatusBar() {
+    /** Creates a bar that shows nothing yet. */
+    public StatusBar() {
         this(System::nanoTime);
     }
 
@@ -74,12 +75,12 @@ final class StatusBar extends JPanel {
     }
 
     /** Notes that the user pauses the run. */
-    void pauseRequested() {
+    public void pauseRequested() {
         stalledRun.pauseRequested();
     }
 
     /** Shows the state of the run. */
-    void setFrame(SessionFrame frame, SessionStatus status) {
+    public void setFrame(SessionFrame frame, SessionStatus status) {
         assert EventQueue.isDispatchThread();
         Snapshot world = frame.snapshot();
         running.setStatusText(Messages.get(
@@ -120,48 +121,48 @@ final class StatusBar extends JPanel {
     }
 
     /** Removes all notes. */
-    void clearNotes() {
+    public void clearNotes() {
         note.clear();
     }
 
     /** Removes a sentence if it is still there. */
-    void removeNote(String sentence) {
+    public void removeNote(String sentence) {
         note.remove(sentence);
     }
 
     /** Shows a sentence for as long as it takes to read. */
-    void showNote(String sentence) {
+    public void showNote(String sentence) {
         showNote(sentence, world -> true);
     }
 
     /** Shows a sentence for as long as it takes to read, and no longer than it holds in the world that is shown. */
-    void showNote(String sentence, Predicate<Snapshot> holds) {
+    public void showNote(String sentence, Predicate<Snapshot> holds) {
         note.show(sentence, holds);
     }
 
     /** Shows a sentence for as long as it holds, except while notes about something else are read. */
-    void keepNote(String sentence, BooleanSupplier holds) {
+    public void keepNote(String sentence, BooleanSupplier holds) {
         note.keep(sentence, world -> holds.getAsBoolean());
     }
 
     /** Shows a line that a program has printed, while there is nothing else to show. */
-    void showLine(String text) {
+    public void showLine(String text) {
         note.showLine(text);
     }
 
     /** Returns whether there is a note that will be removed. */
-    boolean isNoteShown() {
+    public boolean isNoteShown() {
         return note.isPresent();
     }
 
     /** Removes what belongs to the previous session. */
-    void reset() {
+    public void reset() {
         shownRefusals = 0;
         stalledRun.reset();
     }
 
     /** Shows the cursor position in the world, null if the cursor is outside. */
-    void showCursor(Vector2 at) {
+    public void showCursor(Vector2 at) {
         cursorPoint = at;
         cursor.setStatusText(
                 at == null
@@ -171,7 +172,7 @@ final class StatusBar extends JPanel {
     }
 
     /** Shows the scale of the canvas in pixels per metre. */
-    void showScale(double pixelsPerMetre) {
+    public void showScale(double pixelsPerMetre) {
         scale.setStatusText(
                 NumberText.format(pixelsPerMetre < WHOLE_SCALE ? "%.3f px/m" : "%.0f px/m", pixelsPerMetre));
     }
