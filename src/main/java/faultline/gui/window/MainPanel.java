@@ -20,8 +20,6 @@ import faultline.gui.instrument.PositionedSplitPane;
 import faultline.gui.motor.MotorFaultDialog;
 import faultline.gui.motor.MotorPanel;
 import faultline.gui.panel.ControlPanel;
-import faultline.gui.panel.RunVerdict;
-import faultline.gui.panel.VerdictBanner;
 import faultline.gui.properties.ObstaclePanel;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;

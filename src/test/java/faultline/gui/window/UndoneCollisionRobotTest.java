@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.panel.VerdictBanner;
 import faultline.gui.theme.Theme;
 import java.awt.event.KeyEvent;
 import java.io.IOException;

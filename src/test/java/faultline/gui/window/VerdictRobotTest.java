@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.panel.VerdictBanner;
 import faultline.gui.theme.Theme;
 import java.awt.Rectangle;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.window;
 
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -31,7 +31,7 @@ import javax.swing.SwingUtilities;
  * Shows over the canvas how a run ended, so that no other component moves when it appears. Where the button that goes
  * back would leave less room for the texts than it takes itself, it is below them.
  */
-public final class VerdictBanner extends JPanel {
+final class VerdictBanner extends JPanel {
 
     private static final int GAP = 8;
     private static final int MIN_WIDTH = 200;
@@ -57,7 +57,7 @@ public final class VerdictBanner extends JPanel {
     private transient Font wrappedFont;
 
     /** Creates a banner that is not visible; {@code seek} receives the tick to go back to. */
-    public VerdictBanner(LongConsumer seek) {
+    VerdictBanner(LongConsumer seek) {
         super(new BorderLayout(GAP, 0));
         JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, null));
         UiText.nameAndTip(close, "verdict.close");
@@ -94,7 +94,7 @@ public final class VerdictBanner extends JPanel {
     }
 
     /** Shows a verdict; one that the user has closed stays closed until there is another. */
-    public void setVerdict(RunVerdict next, double newDt) {
+    void setVerdict(RunVerdict next, double newDt) {
         assert EventQueue.isDispatchThread();
         dt = newDt;
         if (next.equals(verdict)) {
@@ -117,7 +117,7 @@ public final class VerdictBanner extends JPanel {
     }
 
     /** Shows no verdict. */
-    public void clearVerdict() {
+    void clearVerdict() {
         assert EventQueue.isDispatchThread();
         verdict = null;
         close();

@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.window;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
@@ -30,7 +30,7 @@ import java.util.stream.Stream;
  * @param detail why, empty if there is nothing to add
  * @param event the tick of the failure or the collision, 0 if it was at the start, -1 if there is neither
  */
-public record RunVerdict(boolean success, String title, String detail, long event) {
+record RunVerdict(boolean success, String title, String detail, long event) {
 
     /** The time before the event to which the run is moved back, seconds. */
     private static final double LEAD_TIME = 2;
@@ -42,7 +42,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     private static final int MAX_ENTRIES = 8;
 
     /** Returns the verdict on a run, empty while the run is in progress. */
-    public static Optional<RunVerdict> of(SessionFrame frame, SessionStatus status, Scenario scenario) {
+    static Optional<RunVerdict> of(SessionFrame frame, SessionStatus status, Scenario scenario) {
         if (status.failure().isPresent()) {
             return Optional.of(new RunVerdict(
                     false,
@@ -153,7 +153,7 @@ public record RunVerdict(boolean success, String title, String detail, long even
     }
 
     /** Returns the tick to go to in order to see what went wrong. */
-    public long tickBefore(double dt) {
+    long tickBefore(double dt) {
         return Math.max(0, event - Math.round(LEAD_TIME / dt));
     }
 }

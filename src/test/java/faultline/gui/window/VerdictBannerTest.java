@@ -1,4 +1,4 @@
-package faultline.gui.panel;
+package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
