@@ -16,13 +16,11 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ObstacleEditor;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.instrument.InstrumentDock;
-import faultline.gui.instrument.PositionedSplitPane;
 import faultline.gui.motor.MotorFaultDialog;
 import faultline.gui.motor.MotorPanel;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.properties.ObstaclePanel;
 import faultline.gui.theme.RefreshSteps;
-import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.gui.timeline.TimelinePanel;
@@ -30,40 +28,20 @@ import faultline.paint.scene.ReferenceOverlay;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JPanel;
-import javax.swing.JSplitPane;
 
 /**
  * The contents of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no
  * display.
  */
 final class MainPanel extends JPanel {
-
-    /** Minimum width of the canvas, pixels. */
-    private static final int MIN_STAGE_WIDTH = 300;
-    /**
-     * Minimum width of the instruments, in which their tabs and controls have room, at the normal text size, pixels.
-     */
-    private static final int MIN_DOCK_WIDTH = 272;
-    /** Minimum height of the canvas with its time bar, pixels. */
-    private static final int MIN_STAGE_HEIGHT = 220;
-    /** The height of lanes with as many rows as there is room for. */
-    private static final int BY_ROOM = 0;
-    /** Minimum height of the canvas above lanes that the user makes higher, pixels. */
-    private static final int MIN_CANVAS_HEIGHT = 100;
-    /** Minimum height of a chart in which the lines can be distinguished, pixels. */
-    private static final int MIN_CHART_HEIGHT = 86;
-    /** Height of the tabs and controls above a chart at the normal text size, pixels. */
-    private static final int CHART_BARS_HEIGHT = 74;
 
     private final SimulationCanvas canvas;
     private final ControlPanel controlPanel;
@@ -75,17 +53,8 @@ final class MainPanel extends JPanel {
     private final transient MotorFaultDialog motorFaultDialog;
     private final VerdictBanner banner;
     private final transient CanvasOverlays overlays;
-    private final PositionedSplitPane stage;
-    private final PositionedSplitPane dockSplit;
-    private final PositionedSplitPane panelSplit;
+    private final transient WindowDividers dividers;
     private final transient FocusAreas focusAreas;
-    /** The height of the lanes that the user has chosen, pixels, or {@link #BY_ROOM}. */
-    private int lanesHeight = BY_ROOM;
-
-    private int dockHeight;
-    private int panelWidth;
-    /** The text size that the dividers are placed for. */
-    private int textPercent = TextSize.current().percent();
     /** Null before the first frame. */
     private transient SessionFrame shownFrame;
 
@@ -125,28 +94,18 @@ final class MainPanel extends JPanel {
         obstacles = new ObstaclePanel(editors.sender(), editors.obstacles(), canvas.tools());
         controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);
-        dockHeight = instruments.getPreferredSize().height;
         timeline = new TimelinePanel(jump, canvas::setFrame, editors.timeline());
         focusAreas = new FocusAreas(List.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel));
         banner = new VerdictBanner(jump);
         overlays = new CanvasOverlays(canvas, banner);
-        canvas.setMinimumSize(new Dimension(0, MIN_CANVAS_HEIGHT));
-        stage = new PositionedSplitPane("divider.lanes", JSplitPane.VERTICAL_SPLIT, canvas, timeline, 1);
-        placeLanes();
-        timeline.addLanesListener(this::keepLanesHeight);
-        stage.setMinimumSize(new Dimension(0, MIN_STAGE_HEIGHT));
-        dockSplit = new PositionedSplitPane("divider.instruments", JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
-        setDockHeight(dockHeight);
-        panelSplit = new PositionedSplitPane(
-                "divider.controlPanel", JSplitPane.HORIZONTAL_SPLIT, dockSplit, controlPanel, 1);
-        setPanelWidth(controlPanel.defaultWidth());
+        dividers = new WindowDividers(this, canvas, timeline, instruments, controlPanel);
         add(new ToolBar(actions, speed), BorderLayout.NORTH);
         add(new ObstaclePalette(actions), BorderLayout.LINE_START);
-        add(panelSplit, BorderLayout.CENTER);
+        add(dividers.panes(), BorderLayout.CENTER);
         add(statusBar, BorderLayout.SOUTH);
         addCanvasListeners();
         canvas.setPalette(Theme.current().palette());
-        RefreshSteps.add(this, MainPanel::scaleToText);
+        RefreshSteps.add(this, self -> self.dividers.scaleToText());
     }
 
     private void addCanvasListeners() {
@@ -163,18 +122,6 @@ final class MainPanel extends JPanel {
     void addChoiceListener(Runnable listener) {
         canvas.tools().addSelectionListener(ids -> listener.run());
         obstacles.addHierarchyListener(event -> listener.run());
-    }
-
-    /** Changes the sizes between the dividers with the text size. */
-    private void scaleToText() {
-        dockSplit.setMinimumSize(new Dimension(TextSize.scaled(MIN_STAGE_WIDTH), 0));
-        double growth = TextSize.current().percent() / (double) textPercent;
-        textPercent = TextSize.current().percent();
-        if (growth != 1) {
-            setLanesHeight((int) Math.round(growth * currentLanesHeight()));
-            setPanelWidth((int) Math.round(growth * panelWidth()));
-            setDockHeight((int) Math.round(growth * dockHeight()));
-        }
     }
 
     /** Gives what is selected the ids that sensors have in the next frame, as returned for the present ones. */
@@ -277,103 +224,15 @@ final class MainPanel extends JPanel {
         return instruments;
     }
 
-    /** Returns the width of the control panel that the user has chosen, pixels. */
-    int panelWidth() {
-        return controlPanel.isVisible() && panelSplit.isMoved() ? controlPanel.getWidth() : panelWidth;
-    }
-
-    /** Sets the width of the control panel in pixels; the canvas keeps at least half of the window. */
-    void setPanelWidth(int width) {
-        panelWidth = width;
-        panelSplit.place(size -> size - Math.min(width, size - Math.max(minStageWidth(), (getWidth() + 1) / 2)));
-    }
-
-    private int minStageWidth() {
-        return instruments.isVisible() ? Math.max(MIN_STAGE_WIDTH, TextSize.scaled(MIN_DOCK_WIDTH)) : MIN_STAGE_WIDTH;
-    }
-
-    /** Shows or hides the control panel. */
-    void setPanelShown(boolean shown) {
-        panelWidth = panelWidth();
-        controlPanel.setVisible(shown);
-        setPanelWidth(panelWidth);
-    }
-
-    /** Returns the height of the instruments that the user has chosen, pixels. */
-    int dockHeight() {
-        return instruments.isVisible() && dockSplit.isMoved() ? instruments.getHeight() : dockHeight;
-    }
-
-    /** Sets the height of the instruments, pixels; the canvas keeps at least half of the window. */
-    void setDockHeight(int height) {
-        dockHeight = height;
-        dockSplit.place(size -> size - Math.min(height, Math.max(minDockHeight(), size - minStageHeight())));
-    }
-
-    /** Returns the height of the lanes that the user has chosen, pixels; empty if they have not. */
-    Optional<Integer> lanesHeight() {
-        return Optional.of(currentLanesHeight()).filter(height -> height != BY_ROOM);
-    }
-
-    private int currentLanesHeight() {
-        return timeline.areLanesShown() && stage.isMoved() ? timeline.lanesHeight() : lanesHeight;
-    }
-
-    /** Sets the height of the lanes, pixels. */
-    void setLanesHeight(int height) {
-        lanesHeight = height;
-        placeLanes();
-    }
-
-    /** Shows or hides the lanes. */
-    void setLanesShown(boolean shown) {
-        lanesHeight = currentLanesHeight();
-        timeline.setLanesShown(shown);
-    }
-
-    /** Places the lanes again after a change of the number of their rows, or after they were hidden or shown. */
-    private void keepLanesHeight() {
-        setLanesHeight(currentLanesHeight());
-    }
-
-    private void placeLanes() {
-        stage.setEnabled(timeline.areLanesShown());
-        stage.place(size -> {
-            int window = getRootPane() == null ? getHeight() : getRootPane().getHeight();
-            return lanesHeight == BY_ROOM
-                    ? size - timeline.heightIn(size, window)
-                    : Math.max(MIN_CANVAS_HEIGHT, size - timeline.heightWith(lanesHeight));
-        });
-    }
-
-    private static int minDockHeight() {
-        return MIN_CHART_HEIGHT + TextSize.scaled(CHART_BARS_HEIGHT);
-    }
-
-    /** Returns the height of the canvas as half of the window, and the time line below it, pixels. */
-    private int minStageHeight() {
-        int window = getRootPane() == null ? getHeight() : getRootPane().getHeight();
-        return (window + 1) / 2 + stage.getDividerSize() + timeline.minHeight(window);
-    }
-
-    /** Shows or hides the instruments. */
-    void setDockShown(boolean shown) {
-        if (shown == instruments.isVisible()) {
-            return;
-        }
-        dockHeight = dockHeight();
-        instruments.setVisible(shown);
-        setDockHeight(dockHeight);
-        if (!panelSplit.isMoved()) {
-            setPanelWidth(panelWidth);
-        }
-    }
-
     /**
      * Moves the focus to the next area, or to the previous one: canvas, time slider, lanes, instruments, control panel.
      */
     void focusArea(int step) {
         focusAreas.move(step);
+    }
+
+    WindowDividers dividers() {
+        return dividers;
     }
 
     ControlPanel controlPanel() {

@@ -64,8 +64,8 @@ final class WindowBounds {
             }
         });
         restoreDivider();
-        preferences.get(Preference.DOCK_HEIGHT).ifPresent(mainPanel::setDockHeight);
-        preferences.get(Preference.LANES_HEIGHT).ifPresent(mainPanel::setLanesHeight);
+        preferences.get(Preference.DOCK_HEIGHT).ifPresent(mainPanel.dividers()::setDockHeight);
+        preferences.get(Preference.LANES_HEIGHT).ifPresent(mainPanel.dividers()::setLanesHeight);
         preferences.get(Preference.CHART_WIDTH).ifPresent(mainPanel.instruments()::setChartWidth);
     }
 
@@ -148,9 +148,11 @@ final class WindowBounds {
 
     private void restoreDivider() {
         window.validate();
-        mainPanel.setPanelWidth(preferences
-                .get(Preference.PANEL_WIDTH)
-                .orElse(mainPanel.controlPanel().defaultWidth()));
+        mainPanel
+                .dividers()
+                .setPanelWidth(preferences
+                        .get(Preference.PANEL_WIDTH)
+                        .orElse(mainPanel.controlPanel().defaultWidth()));
     }
 
     /** Stores the bounds for the next window. */
@@ -160,9 +162,9 @@ final class WindowBounds {
         }
         preferences.set(
                 Preference.MAXIMISED, (window.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
-        preferences.set(Preference.PANEL_WIDTH, Optional.of(mainPanel.panelWidth()));
-        preferences.set(Preference.DOCK_HEIGHT, Optional.of(mainPanel.dockHeight()));
-        preferences.set(Preference.LANES_HEIGHT, mainPanel.lanesHeight());
+        preferences.set(Preference.PANEL_WIDTH, Optional.of(mainPanel.dividers().panelWidth()));
+        preferences.set(Preference.DOCK_HEIGHT, Optional.of(mainPanel.dividers().dockHeight()));
+        preferences.set(Preference.LANES_HEIGHT, mainPanel.dividers().lanesHeight());
         mainPanel
                 .instruments()
                 .chosenChartWidth()

@@ -48,8 +48,8 @@ final class WindowParts {
     /** Shows the parts of the contents of a window that the user has chosen. */
     void install(JFrame window, MainPanel contents) {
         mainPanel = contents;
-        mainPanel.setPanelShown(preferences.get(Preference.PANEL_SHOWN));
-        mainPanel.setLanesShown(preferences.get(Preference.TIMELINE_SHOWN));
+        mainPanel.dividers().setPanelShown(preferences.get(Preference.PANEL_SHOWN));
+        mainPanel.dividers().setLanesShown(preferences.get(Preference.TIMELINE_SHOWN));
         RefreshSteps.add(window.getRootPane(), root -> showDockByDefault(window));
         window.addComponentListener(new ComponentAdapter() {
             @Override
@@ -63,7 +63,7 @@ final class WindowParts {
     private void showDockByDefault(JFrame window) {
         if (!dockChosen) {
             boolean shown = preferences.get(Preference.DOCK_SHOWN).orElse(window.getHeight() >= minHeightWithDock());
-            mainPanel.setDockShown(shown);
+            mainPanel.dividers().setDockShown(shown);
             instruments.setOn(shown);
         }
     }
@@ -75,7 +75,7 @@ final class WindowParts {
     /** Shows the time line and the control panel; a window that is not high hides the instruments, for the card. */
     void showForTour() {
         if (mainPanel.getRootPane().getHeight() < minHeightWithDock()) {
-            mainPanel.setDockShown(false);
+            mainPanel.dividers().setDockShown(false);
             instruments.setOn(false);
         }
         showTimeline();
@@ -91,17 +91,17 @@ final class WindowParts {
 
     private void setDockShown(boolean shown) {
         dockChosen = true;
-        mainPanel.setDockShown(shown);
+        mainPanel.dividers().setDockShown(shown);
         preferences.set(Preference.DOCK_SHOWN, Optional.of(shown));
     }
 
     private void setPanelShown(boolean shown) {
-        mainPanel.setPanelShown(shown);
+        mainPanel.dividers().setPanelShown(shown);
         preferences.set(Preference.PANEL_SHOWN, shown);
     }
 
     private void setTimelineShown(boolean shown) {
-        mainPanel.setLanesShown(shown);
+        mainPanel.dividers().setLanesShown(shown);
         preferences.set(Preference.TIMELINE_SHOWN, shown);
     }
 }

@@ -255,7 +255,7 @@ class MainPanelTest {
         try {
             build(TextSize.LARGEST, language);
             // The instruments are hidden by default on a screen of this height.
-            runOnEdt(() -> mainPanel.setDockShown(instruments));
+            runOnEdt(() -> mainPanel.dividers().setDockShown(instruments));
             Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
             runOnEdt(() -> mainPanel.controlPanel().setChosenController("python3 examples/follower.py --distance 0.3"));
             for (ControllerSpec controller : List.of(
@@ -545,7 +545,7 @@ class MainPanelTest {
 
     private void setSizeAndLayOut(int width, int height) {
         mainPanel.setSize(width, height);
-        mainPanel.setPanelWidth(mainPanel.controlPanel().defaultWidth());
+        mainPanel.dividers().setPanelWidth(mainPanel.controlPanel().defaultWidth());
         // The second pass places the dividers, the third lays out scroll panes with their bars.
         ComponentFinder.layOut(mainPanel);
         ComponentFinder.layOut(mainPanel);
