@@ -44,6 +44,7 @@ public final class StatusBar extends JPanel {
     private final StatusCell scale = cell("status.scale", "0000 px/m");
     private final StatusNote note;
     private final transient StalledRun stalledRun;
+    private transient Runnable noteListener = () -> {};
     /** Null while the cursor is outside the canvas. */
     private transient Vector2 cursorPoint;
 
@@ -120,6 +121,11 @@ public final class StatusBar extends JPanel {
         return NumberText.format("x %.3f  y %.3f  θ %s°", pose.x(), pose.y(), AngleText.degrees(pose.heading(), 1));
     }
 
+    /** Sets what is called when a note is shown that {@link #setFrame} will remove after a time. */
+    public void setNoteListener(Runnable listener) {
+        noteListener = listener;
+    }
+
     /** Removes all notes. */
     public void clearNotes() {
         note.clear();
@@ -138,16 +144,24 @@ public final class StatusBar extends JPanel {
     /** Shows a sentence for as long as it takes to read, and no longer than it holds in the world that is shown. */
     public void showNote(String sentence, Predicate<Snapshot> holds) {
         note.show(sentence, holds);
+        noteListener.run();
+    }
+
+    /** Shows a sentence until it is removed, except while notes about something else are read. */
+    public void keepNote(String sentence) {
+        note.keep(sentence, world -> true);
     }
 
     /** Shows a sentence for as long as it holds, except while notes about something else are read. */
     public void keepNote(String sentence, BooleanSupplier holds) {
         note.keep(sentence, world -> holds.getAsBoolean());
+        noteListener.run();
     }
 
     /** Shows a line that a program has printed, while there is nothing else to show. */
     public void showLine(String text) {
         note.showLine(text);
+        noteListener.run();
     }
 
     /** Returns whether there is a note that will be removed. */

@@ -45,7 +45,7 @@ final class MainPanel extends JPanel {
 
     private final SimulationCanvas canvas;
     private final ControlPanel controlPanel;
-    private final StatusBar statusBar = new StatusBar();
+    private final StatusBar statusBar;
     private final InstrumentDock instruments;
     private final TimelinePanel timeline;
     private final ObstaclePanel obstacles;
@@ -75,12 +75,14 @@ final class MainPanel extends JPanel {
      */
     MainPanel(
             SimulationCanvas canvas,
+            StatusBar statusBar,
             Editors editors,
             ActionRegistry actions,
             BoundedRangeModel speed,
             LongConsumer jump) {
         super(new BorderLayout());
         this.canvas = canvas;
+        this.statusBar = statusBar;
         controlPanel = new ControlPanel(
                 editors.sender(),
                 editors.scenario(),

@@ -14,6 +14,7 @@ import faultline.gui.action.SpeedScale;
 import faultline.gui.action.ThemeAction;
 import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
+import faultline.gui.bar.StatusBar;
 import faultline.gui.batch.BatchActions;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.dialog.AppIcon;
@@ -27,7 +28,6 @@ import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.dialog.TextDropHandler;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
-import faultline.gui.document.FileNames;
 import faultline.gui.document.FileWatch;
 import faultline.gui.document.Leaving;
 import faultline.gui.document.RecoveryPrompt;
@@ -43,8 +43,6 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.properties.ScenarioActions;
 import faultline.gui.settings.WindowPreferences;
-import faultline.gui.text.ErrorMessages;
-import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineActions;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
@@ -72,7 +70,10 @@ public final class MainWindow extends JFrame {
     private final transient RunController runController = new RunController(workspace);
     private final transient ComparisonController comparisonController =
             new ComparisonController(workspace, runController.navigator());
-    private final transient Notes notes = new Notes(this::showNote, this::keepNote, this::showLine, this::removeNote);
+    private final StatusBar statusBar = new StatusBar();
+    private final transient Notes notes =
+            new Notes(statusBar::showNote, statusBar::keepNote, statusBar::showLine, statusBar::removeNote);
+    private final transient FileNotifier fileNotifier = new FileNotifier(workspace, statusBar);
     private final transient ControllerActions controllerActions;
     private final transient CommandSender commandSender = new CommandSender(runController::send);
     private final transient UndoController undoController = new UndoController(commandSender, this::updateEditActions);
@@ -85,10 +86,10 @@ public final class MainWindow extends JFrame {
     private final transient ExampleActions exampleActions;
     private final transient BatchActions batchActions;
     private final SimulationCanvas canvas = new SimulationCanvas(commandSender);
-    private final transient ExportController exportController =
-            new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote, notes);
+    private final transient ExportController exportController = new ExportController(
+            this, workspace, canvas, fileController::chooseExportFile, fileNotifier::fileSaved, notes);
     private final transient SensorActions sensorActions = new SensorActions(
-            workspace, commandSender, new SensorEditor(workspace, scenarioEditor, this::showNote), canvas.tools());
+            workspace, commandSender, new SensorEditor(workspace, scenarioEditor, notes::show), canvas.tools());
     private final transient RunActions runActions;
     private final transient ObstacleActions obstacleActions;
     private final transient WindowPreferences preferences;
@@ -110,8 +111,8 @@ public final class MainWindow extends JFrame {
         this.preferences = preferences;
         controllerActions = new ControllerActions(
                 this, workspace, runController, comparisonController, notes, preferences.recentCommands());
-        exampleActions = new ExampleActions(this, fileController, preferences, this::showNote);
-        batchActions = new BatchActions(this, fileController, controllerActions, this::showNote);
+        exampleActions = new ExampleActions(this, fileController, preferences, notes::show);
+        batchActions = new BatchActions(this, fileController, controllerActions, notes::show);
         themeAction = new ThemeAction(canvas, preferences);
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
@@ -119,7 +120,8 @@ public final class MainWindow extends JFrame {
         parts = new WindowParts(preferences);
         obstacleActions = createObstacleActions();
         addActions();
-        mainPanel = new MainPanel(canvas, createEditors(), actionRegistry, speed, runController.navigator()::seek);
+        mainPanel = new MainPanel(
+                canvas, statusBar, createEditors(), actionRegistry, speed, runController.navigator()::seek);
         comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun, notes);
         connectExport();
         timelineActions = addTimelineActions();
@@ -129,7 +131,7 @@ public final class MainWindow extends JFrame {
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
-        setTransferHandler(fileController.createDropHandler(() -> {}, this::showNote));
+        setTransferHandler(fileController.createDropHandler(() -> {}, notes::show));
         TextDropHandler.install(mainPanel, getTransferHandler());
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
@@ -175,10 +177,7 @@ public final class MainWindow extends JFrame {
 
     private FileWatch createFileWatch() {
         return new FileWatch(
-                workspace,
-                fileController::onFileChangedOnDisk,
-                exception -> showNote(Dialogs.unreadableFileText(exception)),
-                file -> showNote(Messages.get("deleted", FileNames.lastOf(file))));
+                workspace, fileController::onFileChangedOnDisk, fileNotifier::fileBroken, fileNotifier::fileDeleted);
     }
 
     private void connectExport() {
@@ -189,7 +188,7 @@ public final class MainWindow extends JFrame {
     }
 
     private TimelineActions addTimelineActions() {
-        TimelineActions added = new TimelineActions(mainPanel.timeline(), runController.navigator(), this::showNote);
+        TimelineActions added = new TimelineActions(mainPanel.timeline(), runController.navigator(), notes::show);
         added.addTo(actionRegistry);
         workspace.addListener(added);
         return added;
@@ -206,13 +205,14 @@ public final class MainWindow extends JFrame {
 
     private void addWorkspaceListeners() {
         workspace.addListener(new WorkspaceEvents());
+        workspace.addListener(fileNotifier);
         workspace.addListener(new RecentFilesListener(workspace, preferences.recentFiles()));
         workspace.addListener(new FailureListener(
                 workspace, controllerActions, dialogs, () -> openShipped(ShippedScenarios.DEFAULT)));
     }
 
     private MainPanel.Editors createEditors() {
-        TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController, this::showNote);
+        TimelineEditor timeline = new TimelineEditor(workspace, runController, undoController, notes::show);
         ObstacleEditor obstacles = new ObstacleEditor(workspace, scenarioEditor);
         return new MainPanel.Editors(commandSender, scenarioEditor, sensorActions, obstacles, timeline);
     }
@@ -250,7 +250,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void openRecent(Path file) {
-        fileController.openFirst(List.of(file), this::showNote);
+        fileController.openFirst(List.of(file), notes::show);
     }
 
     private boolean commitPendingEdit() {
@@ -261,31 +261,9 @@ public final class MainWindow extends JFrame {
         return mainPanel.controlPanel().undoTyping();
     }
 
-    private void removeNote(String sentence) {
-        mainPanel.statusBar().removeNote(sentence);
-    }
-
-    private void showNote(String sentence) {
-        mainPanel.statusBar().showNote(sentence);
-        runPoller.wake();
-    }
-
-    private void keepNote(String sentence) {
-        mainPanel.statusBar().keepNote(sentence, () -> true);
-    }
-
-    private void showLine(String text) {
-        mainPanel.statusBar().showLine(text);
-        runPoller.wake();
-    }
-
     /** Returns whether nothing has happened for a second, so that nothing is polled. */
     boolean isResting() {
         return runPoller.isResting();
-    }
-
-    private void showSavedNote(Path file) {
-        showNote(Messages.get("saved", FileNames.lastOf(file)));
     }
 
     private void installViewListeners() {
@@ -415,14 +393,9 @@ public final class MainWindow extends JFrame {
      * asynchronously. If there are none, {@code otherwise} is called.
      */
     public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
-        autosave = new Autosave(workspace, recovery, this::showAutosaveFailure);
+        autosave = new Autosave(
+                workspace, recovery, failure -> fileNotifier.autosaveFailed(failure, () -> autosave.isFailing()));
         RecoveryPrompt.offerRecovery(recovery, autosave, fileController::offerRecovery, otherwise);
-    }
-
-    private void showAutosaveFailure(Throwable failure) {
-        String sentence = Messages.get("recover.failed", ErrorMessages.describe(failure));
-        mainPanel.statusBar().keepNote(sentence, () -> autosave.isFailing() && workspace.isChanged());
-        runPoller.wake();
     }
 
     /** Shows events of the workspace. */
@@ -437,16 +410,6 @@ public final class MainWindow extends JFrame {
         @Override
         public void sessionStarted() {
             mainPanel.controlPanel().setChosenController(controllerActions.chosenText());
-        }
-
-        @Override
-        public void scenarioSaved(Path file) {
-            showSavedNote(file);
-        }
-
-        @Override
-        public void journalSaved(Path file) {
-            showSavedNote(file);
         }
 
         @Override

@@ -43,6 +43,7 @@ final class RunPoller implements WorkspaceListener {
         this.progressDialogs = progressDialogs;
         replayNotifier = new ReplayNotifier(navigator, mainPanel.statusBar()::showNote);
         endNotifier = new EndNotifier(mainPanel.statusBar()::showNote);
+        mainPanel.statusBar().setNoteListener(this::wake);
         workspace.addListener(this);
         // A screen reader chooses without an event of the mouse or the keyboard.
         mainPanel.addChoiceListener(this::wake);

@@ -27,6 +27,7 @@ import faultline.world.Snapshot;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -46,6 +47,23 @@ class StatusBarTest {
         assertEquals(
                 List.of("Running", "t 0.010 s", "0.98× real time", "Follow", "x 1.500  y 2.000  θ -90.0°"),
                 texts().subList(0, 5));
+    }
+
+    @Test
+    void onlyANoteThatIsRemovedByTheBarItselfIsReported() {
+        AtomicInteger reported = new AtomicInteger();
+        runOnEdt(() -> {
+            bar.setNoteListener(reported::incrementAndGet);
+            bar.keepNote("until it is removed");
+            bar.removeNote("until it is removed");
+            assertEquals(0, reported.get());
+            bar.showNote("until it is read");
+            assertEquals(1, reported.get());
+            bar.showLine("a line of a program");
+            assertEquals(2, reported.get());
+            bar.keepNote("for as long as it holds", () -> true);
+            assertEquals(3, reported.get());
+        });
     }
 
     @Test

@@ -25,6 +25,7 @@ import faultline.gui.action.SensorActions;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
+import faultline.gui.bar.StatusBar;
 import faultline.gui.bar.ToolBar;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
@@ -199,6 +200,7 @@ class MainPanelTest {
         TimelineEditor timeline = new TimelineEditor(workspace, run, undo, note -> {});
         return new MainPanel(
                 canvas,
+                new StatusBar(),
                 new MainPanel.Editors(sender, scenario, sensors, new ObstacleEditor(workspace, scenario), timeline),
                 actions,
                 speed,
