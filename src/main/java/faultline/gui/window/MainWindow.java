@@ -29,7 +29,6 @@ import faultline.gui.dialog.TextDropHandler;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.FileWatch;
-import faultline.gui.document.Leaving;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.RunController;
@@ -97,6 +96,7 @@ public final class MainWindow extends JFrame {
     private final transient WindowParts parts;
     private final MainPanel mainPanel;
     private final transient WindowBounds windowBounds;
+    private final transient WindowCloser closer;
     private final TourCard tour;
     private final transient ComparisonActions comparisonActions;
     private final transient TimelineActions timelineActions;
@@ -136,6 +136,7 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();
+        closer = new WindowCloser(this, windowBounds, exportController, batchActions, fileController);
         parts.install(this, mainPanel);
         installCloseHandler();
         installViewListeners();
@@ -218,7 +219,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void addActions() {
-        fileController.addTo(actionRegistry, this::quit);
+        fileController.addTo(actionRegistry, () -> closer.quit());
         exampleActions.addTo(actionRegistry, this::startTour);
         new ScenarioActions(
                         this,
@@ -298,13 +299,9 @@ public final class MainWindow extends JFrame {
 
     private void installCloseHandler() {
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        addWindowListener(closer);
         addWindowListener(new ExposedRepaint(getRootPane()));
         addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent event) {
-                quit();
-            }
-
             @Override
             public void windowOpened(WindowEvent event) {
                 windowBounds.onWindowOpened();
@@ -313,24 +310,6 @@ public final class MainWindow extends JFrame {
         });
         addWindowFocusListener(new FocusReturn(canvas));
         setFocusTraversalPolicy(new DisabledFocusPolicy(canvas));
-    }
-
-    private void quit() {
-        Leaving.begin(leaving -> {
-            // The window may have been closed while a file was written.
-            if (isDisplayable()) {
-                quit(leaving);
-            }
-        });
-    }
-
-    private void quit(Leaving leaving) {
-        Runnable close = () -> {
-            windowBounds.save();
-            dispose();
-        };
-        Runnable changes = () -> fileController.runIfChangesHandled(leaving, close);
-        exportController.exports().runIfHandled(leaving, () -> batchActions.runIfResultsHandled(leaving, changes));
     }
 
     ActionRegistry actions() {
