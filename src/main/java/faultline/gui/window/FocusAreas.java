@@ -1,13 +1,20 @@
 package faultline.gui.window;
 
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
+import javax.swing.KeyStroke;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.SwingUtilities;
 
@@ -21,6 +28,14 @@ final class FocusAreas {
     /** Creates the areas in the order of F6; those that are not showing are omitted when the focus moves. */
     FocusAreas(List<Container> areas) {
         this.areas = List.copyOf(areas);
+    }
+
+    /** Adds the actions of F6 and Shift+F6; {@code mover} receives the number of areas to move by. */
+    static void addActions(ActionRegistry actions, IntConsumer mover) {
+        actions.add(
+                UiAction.of("nextArea", () -> mover.accept(1)).withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F6)));
+        actions.add(UiAction.of("previousArea", () -> mover.accept(-1))
+                .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
     }
 
     /**

@@ -4,7 +4,6 @@ import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
-import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.PreferenceActions;
@@ -12,7 +11,6 @@ import faultline.gui.action.RunActions;
 import faultline.gui.action.SensorActions;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.action.ThemeAction;
-import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
 import faultline.gui.bar.StatusBar;
 import faultline.gui.batch.BatchActions;
@@ -47,8 +45,6 @@ import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
 import java.awt.EventQueue;
-import java.awt.event.InputEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -57,7 +53,6 @@ import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
-import javax.swing.KeyStroke;
 import javax.swing.WindowConstants;
 
 /** The main window: creates the parts of the window and connects them. */
@@ -126,8 +121,7 @@ public final class MainWindow extends JFrame {
         connectExport();
         timelineActions = addTimelineActions();
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
-        setJMenuBar(Menus.createMenuBar(actionRegistry));
-        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), this::openRecent), 2);
+        installMenuBar();
         setContentPane(mainPanel);
         tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
@@ -146,6 +140,11 @@ public final class MainWindow extends JFrame {
         addWorkspaceListeners();
         runPoller = createRunPoller();
         runPoller.start();
+    }
+
+    private void installMenuBar() {
+        setJMenuBar(Menus.createMenuBar(actionRegistry));
+        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), this::openRecent), 2);
     }
 
     private ObstacleActions createObstacleActions() {
@@ -237,10 +236,7 @@ public final class MainWindow extends JFrame {
         ViewActions.addPathColours(actionRegistry, canvas, preferences);
         ViewActions.bindTo(getRootPane(), actionRegistry);
         parts.addTo(actionRegistry);
-        actionRegistry.add(UiAction.of("nextArea", () -> mainPanel.focusArea(1))
-                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F6)));
-        actionRegistry.add(UiAction.of("previousArea", () -> mainPanel.focusArea(-1))
-                .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
+        FocusAreas.addActions(actionRegistry, step -> mainPanel.focusArea(step));
         runActions.addTo(actionRegistry);
         controllerActions.addTo(actionRegistry);
         batchActions.addTo(actionRegistry);
