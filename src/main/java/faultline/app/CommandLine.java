@@ -105,7 +105,8 @@ final class CommandLine {
     }
 
     private int reportFailure(Throwable e) {
-        if (MEMORY_ERROR.isInstance(rootCause(e))) {
+        boolean ofController = e instanceof RunFailedException failed && failed.isOfController();
+        if (!ofController && MEMORY_ERROR.isInstance(rootCause(e))) {
             return reportOutOfMemory();
         }
         return reportError(

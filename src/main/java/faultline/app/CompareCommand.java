@@ -187,7 +187,7 @@ final class CompareCommand {
                     // It is likely to be misspelt. A start that fails later, for lack of memory say, is one failed run.
                     throw e;
                 }
-                if (e.getCause() instanceof OutOfMemoryError error) {
+                if (!e.isOfController() && e.getCause() instanceof OutOfMemoryError error) {
                     throw error;
                 }
                 output.printError("the run with seed " + setup.seed() + " broke: " + e.getMessage());

@@ -40,6 +40,9 @@ final class DirectHost implements ControllerHost {
         }
         try {
             return controller.decide(new Observation(tick, dt, robot, readings));
+        } catch (OutOfMemoryError full) {
+            // A controller in Java of a user is called on a thread of its own, so this one is part of the program.
+            throw full;
         } catch (RuntimeException | Error broken) {
             throw RunFailedException.ofController(tick, broken);
         }

@@ -45,6 +45,11 @@ public class RunFailedException extends RuntimeException {
         return reason;
     }
 
+    /** {@return whether an exception of a controller, or of what creates it, is the cause} */
+    public final boolean isOfController() {
+        return reason.template() == RunProblem.CONTROLLER_BROKE || reason.template() == RunProblem.NOT_CREATED;
+    }
+
     /**
      * {@return the exception for a run whose controller threw another one; the same if it is of this type}
      *

@@ -1,6 +1,7 @@
 package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.engine.RunFailedException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.util.ArrayDeque;
@@ -172,6 +173,9 @@ public final class CampaignRunner {
         } catch (ExecutionException e) {
             if (e.getCause() instanceof OutOfMemoryError error) {
                 throw error;
+            }
+            if (e.getCause() instanceof RunFailedException failed) {
+                throw failed;
             }
             throw new IllegalStateException("a run could not be made: " + e.getCause(), e.getCause());
         } catch (InterruptedException e) {

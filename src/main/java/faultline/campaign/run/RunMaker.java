@@ -4,6 +4,7 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.PlannedRun;
 import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.CarryOnMetrics;
@@ -37,6 +38,7 @@ final class RunMaker {
     /**
      * Makes a run. If it fails, its row gives the reason.
      *
+     * @throws RunFailedException if the controller runs out of memory
      * @throws CancellationException if this thread is interrupted during the run
      */
     MadeRun make(long index) {
@@ -64,6 +66,9 @@ final class RunMaker {
             throw e;
         } catch (RuntimeException e) {
             if (e.getCause() instanceof OutOfMemoryError error) {
+                if (e instanceof RunFailedException failed && failed.isOfController()) {
+                    throw failed;
+                }
                 throw error;
             }
             return broken(run, String.valueOf(e.getMessage()), start);
