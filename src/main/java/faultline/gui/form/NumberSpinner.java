@@ -245,13 +245,32 @@ public final class NumberSpinner extends JSpinner implements PendingField {
         updateAccessibleText();
     }
 
-    /** Sets another upper limit, without notifying the listener; the value stays, even above it. */
+    /**
+     * Sets another upper limit, without notifying the listener; the value stays, even above it, and so does what the
+     * user is typing.
+     */
     public void setMax(double max) {
         if (!model.getMaximum().equals(max)) {
             formatter.setMax(max);
-            quietly(() -> model.setMaximum(max));
+            if (isEdited()) {
+                keepingText(() -> quietly(() -> model.setMaximum(max)));
+            } else {
+                quietly(() -> model.setMaximum(max));
+            }
             updateAccessibleText();
         }
+    }
+
+    /** Makes a change after which the field would show its value. */
+    private void keepingText(Runnable change) {
+        JFormattedTextField field = textField();
+        String typed = field.getText();
+        int mark = field.getCaret().getMark();
+        int dot = field.getCaret().getDot();
+        change.run();
+        field.setText(typed);
+        field.setCaretPosition(mark);
+        field.moveCaretPosition(dot);
     }
 
     /** Shows the present value, nothing for NaN, unless the user is typing; it may be outside the limits. */

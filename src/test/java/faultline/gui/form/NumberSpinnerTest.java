@@ -58,6 +58,27 @@ class NumberSpinnerTest {
     }
 
     @Test
+    void anotherLimitKeepsWhatIsTypedAndTheCaret() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            JFormattedTextField text = spinner.textField();
+            text.setText("12.5");
+            text.select(1, 2);
+            spinner.setMax(50);
+            assertEquals("12.5", text.getText());
+            assertEquals("2", text.getSelectedText());
+            assertTrue(spinner.isEdited());
+            assertTrue(text.isEditValid());
+            spinner.setMax(5);
+            assertEquals("12.5", text.getText());
+            assertFalse(text.isEditValid());
+            text.setText("4.5");
+            assertTrue(spinner.commitPendingEdit());
+        });
+        assertEquals(List.of(4.5), reported);
+    }
+
+    @Test
     void aUserChangeIsReportedOnce() {
         commit("1,25");
         assertEquals(List.of(1.25), reported);
