@@ -78,6 +78,16 @@ public final class TimeBar extends JPanel {
                 return shownTime();
             }
 
+            /** Names the time where the slider would name the tick. */
+            @Override
+            public void firePropertyChange(String property, Object before, Object now) {
+                if (ACCESSIBLE_VALUE_PROPERTY.equals(property) && before instanceof Integer && now instanceof Integer) {
+                    super.firePropertyChange(property, timeOf((Integer) before), timeOf((Integer) now));
+                } else {
+                    super.firePropertyChange(property, before, now);
+                }
+            }
+
             @Override
             public boolean setCurrentAccessibleValue(Number seconds) {
                 return dt > 0 && super.setCurrentAccessibleValue(Math.round(seconds.doubleValue() / dt));

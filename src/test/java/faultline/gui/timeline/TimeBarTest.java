@@ -23,6 +23,7 @@ import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleValue;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -149,6 +150,22 @@ class TimeBarTest {
             assertTrue(value.setCurrentAccessibleValue(0.2));
         });
         waitForTick(20);
+    }
+
+    @Test
+    void screenReadersHearOfTheTimeInSeconds() {
+        runOnEdt(() -> {
+            List<Object> times = new ArrayList<>();
+            slider.getAccessibleContext().addPropertyChangeListener(event -> {
+                if (event.getPropertyName().equals(AccessibleContext.ACCESSIBLE_VALUE_PROPERTY)) {
+                    times.add(event.getOldValue());
+                    times.add(event.getNewValue());
+                }
+            });
+            slider.setValue(15);
+            assertEquals(List.of(0.4, 0.15), times);
+        });
+        waitForTick(15);
     }
 
     @Test
