@@ -26,8 +26,10 @@ public final class RunNavigator implements WorkspaceListener {
      * which can take seconds and much memory in a large world.
      */
     private final Object replaying = new Object();
-    /** The furthest tick of the sessions before the open one. */
+    /** The furthest tick of the sessions before the open one, and the length of its ticks, seconds. */
     private long furthestTick;
+
+    private double furthestDt;
 
     private long replayEnd = NONE;
     /** Whether the setup has been changed, and no run with the change has started since. */
@@ -171,8 +173,15 @@ public final class RunNavigator implements WorkspaceListener {
                 .openDocument()
                 .filter(now -> now.document() == left.document())
                 .isPresent()) {
-            furthestTick = Math.max(furthestTick, tick);
+            SimulationSetup setup = left.session().setup();
+            furthestTick = Math.max(furthestTickIn(setup), tick);
+            furthestDt = setup.dt();
         }
+    }
+
+    /** Returns the furthest tick of the sessions before in the ticks of a run, which may have another length. */
+    private long furthestTickIn(SimulationSetup run) {
+        return run.dt() == furthestDt ? furthestTick : run.tickAt(furthestTick * furthestDt);
     }
 
     @Override
@@ -242,6 +251,7 @@ public final class RunNavigator implements WorkspaceListener {
     /** Sets the furthest tick; all of a recorded run can be reached from its start. */
     private void runStarted(Scenario scenario) {
         furthestTick = scenario.recorded() ? scenario.setup().ticks() : 0;
+        furthestDt = scenario.setup().dt();
         replayEnd = scenario.recorded() ? furthestTick : NONE;
     }
 
@@ -261,6 +271,10 @@ public final class RunNavigator implements WorkspaceListener {
      * and a change of the setup to the present one.
      */
     public long furthestTick() {
-        return Math.max(furthestTick, currentTick());
+        long before = workspace
+                .openDocument()
+                .map(now -> furthestTickIn(now.session().setup()))
+                .orElse(furthestTick);
+        return Math.max(before, currentTick());
     }
 }

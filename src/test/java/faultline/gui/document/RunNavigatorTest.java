@@ -147,6 +147,19 @@ class RunNavigatorTest {
         assertEquals(0.1, callOnEdt(run.navigator()::currentTime), 1e-12, "the run has the changed ticks");
     }
 
+    @ParameterizedTest
+    @CsvSource({"0.02, 15", "0.005, 60"})
+    void theFurthestTickAfterACancelledRestartIsAtTheSameTime(double tick, long furthest) {
+        seek(10);
+        changeTickWithoutRestart(tick);
+        assertEquals(30, callOnEdt(run.navigator()::furthestTick), "the run has its ticks");
+        runOnEdt(() -> run.navigator().seek(5));
+        awaitTime(tick == 0.02 ? 0.06 : 0.05);
+        assertEquals(furthest, callOnEdt(run.navigator()::furthestTick));
+        seek(2);
+        assertEquals(furthest, callOnEdt(run.navigator()::furthestTick));
+    }
+
     @Test
     void aTimeAfterACancelledRestartIsShownAtTheTickOfTheRun() {
         List<Long> shown = new ArrayList<>();
