@@ -47,6 +47,10 @@ public final class AtomicFile implements AutoCloseable {
      * @throws IOException if the file cannot be written, in one sentence
      */
     public static AtomicFile create(Path file) throws IOException {
+        return create(file, false);
+    }
+
+    private static AtomicFile create(Path file, boolean secret) throws IOException {
         if (Files.isDirectory(file)) {
             throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.IS_FOLDER.with(), null);
         }
@@ -58,7 +62,7 @@ public final class AtomicFile implements AutoCloseable {
             if (exists(target) && !Files.isWritable(target)) {
                 throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.READ_ONLY.with(), null);
             }
-            TemporaryFile temporary = TemporaryFile.create(target);
+            TemporaryFile temporary = TemporaryFile.create(target, secret);
             FileChannel channel = temporary.open();
             OutputStream stream = new BufferedOutputStream(new ForcingOutputStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
@@ -110,7 +114,23 @@ public final class AtomicFile implements AutoCloseable {
      * @throws IOException if the file cannot be written, in one sentence
      */
     public static void write(Path file, byte[] bytes) throws IOException {
-        try (AtomicFile out = create(file)) {
+        write(create(file), bytes);
+    }
+
+    /**
+     * Writes a whole file that only its owner may read, where the file system can do that, even if it replaces one that
+     * others may read.
+     *
+     * @param file the file to create or replace
+     * @param bytes the content
+     * @throws IOException if the file cannot be written, in one sentence
+     */
+    public static void writeSecret(Path file, byte[] bytes) throws IOException {
+        write(create(file, true), bytes);
+    }
+
+    private static void write(AtomicFile file, byte[] bytes) throws IOException {
+        try (AtomicFile out = file) {
             out.stream().write(bytes);
             out.commit();
         }

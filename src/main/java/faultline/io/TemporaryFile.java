@@ -48,13 +48,13 @@ final class TemporaryFile {
         }
 
         /** Creates a file, unless the process is ending. No file is created while all are deleted. */
-        private static TemporaryFile create(Path target) throws IOException {
+        private static TemporaryFile create(Path target, boolean secret) throws IOException {
             LOCK.lock();
             try {
                 if (ended) {
                     throw new FileSystemException(target.toString(), null, "the program is ending");
                 }
-                return TemporaryFile.createRegistered(target);
+                return TemporaryFile.createRegistered(target, secret);
             } finally {
                 LOCK.unlock();
             }
@@ -126,10 +126,10 @@ final class TemporaryFile {
 
     /**
      * Creates an empty file beside the target that it may become, which need not exist. It never opens a file or link
-     * that exists.
+     * that exists. If it is secret, it stays one that only its owner may read, whatever it replaces.
      */
-    static TemporaryFile create(Path target) throws IOException {
-        return UnfinishedFiles.create(target);
+    static TemporaryFile create(Path target, boolean secret) throws IOException {
+        return UnfinishedFiles.create(target, secret);
     }
 
     /** Lets a folder be deleted, with everything in it, at the latest when the process ends. */
@@ -174,14 +174,14 @@ final class TemporaryFile {
         UnfinishedFiles.keepAlive(moves);
     }
 
-    private static TemporaryFile createRegistered(Path target) throws IOException {
+    private static TemporaryFile createRegistered(Path target, boolean secret) throws IOException {
         Path folder = target.getParent();
         if (!target.getFileSystem().supportedFileAttributeViews().contains("posix")) {
             return register(new TemporaryFile(createFile(folder), Set.of()));
         }
-        if (Files.exists(target)) {
+        if (secret || Files.exists(target)) {
             Path path = createFile(folder, PosixFilePermissions.asFileAttribute(PRIVATE));
-            return register(new TemporaryFile(path, Files.getPosixFilePermissions(target)));
+            return register(new TemporaryFile(path, secret ? PRIVATE : Files.getPosixFilePermissions(target)));
         }
         Path path = createFile(folder, PosixFilePermissions.asFileAttribute(PUBLIC));
         TemporaryFile created = register(new TemporaryFile(path, Files.getPosixFilePermissions(path)));

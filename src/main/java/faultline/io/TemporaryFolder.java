@@ -39,7 +39,7 @@ public final class TemporaryFolder {
         Path path = Files.createTempDirectory(prefix);
         TemporaryFile.deleteAtExit(path);
         try {
-            TemporaryFile lock = TemporaryFile.create(path.resolve("lock"));
+            TemporaryFile lock = TemporaryFile.create(path.resolve("lock"), false);
             TemporaryFolder created = new TemporaryFolder(path, lock, lock.open());
             deleteAbandoned(path, prefix, Files.getLastModifiedTime(lock.path()).toMillis());
             return created;

@@ -158,6 +158,18 @@ class AtomicFileTest {
     }
 
     @Test
+    void aSecretFileIsForItsOwnerAlsoInThePlaceOfAPublicOne() throws IOException {
+        Path file = folder.resolve("a.txt");
+        for (String permissions : List.of("rw-------", "rw-rw-rw-")) {
+            AtomicFile.writeSecret(file, new byte[] {1});
+            assertEquals("rw-------", mode(file));
+            Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(permissions));
+        }
+        AtomicFile.writeSecret(file, new byte[] {2});
+        assertEquals("rw-------", mode(file));
+    }
+
+    @Test
     void aFileThatWasNotThereHasThePermissionsOfAnyNewFile() throws IOException {
         Path usual = Files.createFile(folder.resolve("usual"));
         write(folder.resolve("a.txt"), "new", true);

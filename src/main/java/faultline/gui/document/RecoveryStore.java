@@ -103,11 +103,11 @@ public final class RecoveryStore {
     synchronized void save(Path origin, Scenario base, Scenario scenario) throws IOException {
         createPrivateFolder();
         acquireLock();
-        AtomicFile.write(sibling(ownFile(), BASE_SUFFIX), base == null ? new byte[0] : base.toBytes());
-        AtomicFile.write(
+        AtomicFile.writeSecret(sibling(ownFile(), BASE_SUFFIX), base == null ? new byte[0] : base.toBytes());
+        AtomicFile.writeSecret(
                 folder.resolve(process + ORIGIN_SUFFIX),
                 (origin == null ? "" : origin.toAbsolutePath().toString()).getBytes(StandardCharsets.UTF_8));
-        AtomicFile.write(ownFile(), scenario.toBytes());
+        AtomicFile.writeSecret(ownFile(), scenario.toBytes());
     }
 
     /** Creates the folder, which only its owner may look into. */

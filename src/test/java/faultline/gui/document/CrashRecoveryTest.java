@@ -280,13 +280,27 @@ class CrashRecoveryTest {
         }
     }
 
+    private static String permissions(Path file) {
+        try {
+            return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     @Test
     void onlyTheOwnerMayReadTheRecoveryFiles() throws IOException {
         new RecoveryStore(folder.resolve("home/.faultline/recovery"))
                 .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         for (String name : List.of("home/.faultline", "home/.faultline/recovery")) {
+            assertEquals("rwx------", permissions(folder.resolve(name)));
+        }
+        try (Stream<Path> files = Files.list(folder.resolve("home/.faultline/recovery"))) {
             assertEquals(
-                    "rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve(name))));
+                    List.of("rw-------", "rw-------", "rw-------"),
+                    files.filter(path -> !path.toString().endsWith(".lock"))
+                            .map(CrashRecoveryTest::permissions)
+                            .toList());
         }
     }
 
