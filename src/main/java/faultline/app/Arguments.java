@@ -41,6 +41,7 @@ final class Arguments {
     /** Parses the arguments of a command with flags and with options that may be given several times. */
     Arguments(List<String> arguments, List<String> known, List<String> knownFlags, List<String> repeatable)
             throws UsageException {
+        HelpRequest.throwIfIn(arguments, known);
         List<String> all = new ArrayList<>(known);
         all.addAll(knownFlags);
         int next = 0;
@@ -83,9 +84,9 @@ final class Arguments {
         if (index == arguments.size()) {
             throw new UsageException(option + " needs a value");
         }
-        if (arguments.get(index).startsWith("--")) {
-            throw new UsageException(
-                    option + " needs a value, and " + MessageText.quoted(arguments.get(index)) + " is an option");
+        String value = arguments.get(index);
+        if (value.startsWith("--") || HelpRequest.isHelp(value)) {
+            throw new UsageException(option + " needs a value, and " + MessageText.quoted(value) + " is an option");
         }
     }
 

@@ -24,10 +24,10 @@ import java.util.Set;
 final class CommandLine {
 
     /** The option that shows all commands or, after a command, that one. */
-    private static final String HELP = "--help";
+    static final String HELP = "--help";
 
     /** Short for {@link #HELP}. */
-    private static final String SHORT_HELP = "-h";
+    static final String SHORT_HELP = "-h";
 
     /** The first arguments that show help. */
     private static final List<String> HELP_WORDS = List.of(HELP, SHORT_HELP, "help");
@@ -181,9 +181,11 @@ final class CommandLine {
             return println(help(first, args.subList(1, args.size())));
         }
         if (COMMANDS.contains(first)) {
-            return args.contains(HELP) || args.contains(SHORT_HELP)
-                    ? println(HelpText.help(first))
-                    : runGuarded(first, args.subList(1, args.size()));
+            try {
+                return runGuarded(first, args.subList(1, args.size()));
+            } catch (HelpRequest e) {
+                return println(HelpText.help(first));
+            }
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
@@ -217,6 +219,7 @@ final class CommandLine {
     }
 
     private int printVersion(List<String> arguments) throws UsageException {
+        HelpRequest.throwIfIn(arguments, List.of());
         if (!arguments.isEmpty()) {
             throw new UsageException("--version takes nothing, not " + MessageText.quoted(String.join(" ", arguments)));
         }

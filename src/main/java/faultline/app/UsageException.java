@@ -3,7 +3,7 @@ package faultline.app;
 import faultline.io.MessageText;
 
 /** Thrown if arguments are invalid. The message is one line for the user. */
-final class UsageException extends Exception {
+class UsageException extends Exception {
 
     private static final long serialVersionUID = 1L;
 

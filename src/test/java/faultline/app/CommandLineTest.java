@@ -511,6 +511,20 @@ class CommandLineTest {
         assertTrue(command("--help").out.contains(help.out.lines().findFirst().orElseThrow()), help.out);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"--help", "-h"})
+    void helpAfterAnOptionThatTakesAValueIsNotItsValue(String help) {
+        CommandResult value = command("run", COLLIDING_SCENARIO, "--trace", help);
+        assertEquals(
+                "faultline: --trace needs a value, and \"" + help + "\" is an option (see faultline --help)\n",
+                value.err);
+        assertEquals(2, value.code);
+        assertTrue(Files.notExists(Path.of(help)));
+        assertEquals(command("run", help), command("run", COLLIDING_SCENARIO, "--truth", help), "after a flag");
+        assertEquals(command("run", help), command("run", "--trase", help), "after a misspelt option");
+        assertEquals(command("--version", "--help"), command("--version", help));
+    }
+
     @Test
     void helpNamesEveryCommandAndOption() {
         CommandResult help = command("--help");
