@@ -4,7 +4,8 @@ import faultline.world.CommandResult;
 
 /**
  * Receives the result of every command that a simulation executes or refuses, from its timeline or from outside, on the
- * run's own thread. It must not change the simulation.
+ * run's own thread. A command of the timeline about an obstacle that a command from outside has removed is void and has
+ * no result. The listener must not change the simulation.
  */
 @FunctionalInterface
 public interface CommandListener {

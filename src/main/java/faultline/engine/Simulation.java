@@ -20,9 +20,11 @@ import faultline.world.Snapshot;
 import faultline.world.SpatialIndex;
 import faultline.world.World;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 
 /**
@@ -45,6 +47,9 @@ public final class Simulation implements AutoCloseable {
     private final CommandListener commandListener;
     private final Timeline timeline;
     private final List<Journal.Entry> journal = new ArrayList<>();
+    /** The obstacles that commands from outside have removed, unless the timeline has removed them since. */
+    private final Set<String> removedFromOutside = new HashSet<>();
+
     private final TrajectoryRecorder trajectoryRecorder = new TrajectoryRecorder();
     private Decision activeDecision;
     private ControllerSpec controllerSpec;
@@ -194,17 +199,28 @@ public final class Simulation implements AutoCloseable {
 
     private void executeDueCommands(long tick) {
         while (timeline.isDue(tick)) {
-            executeOnWorld(timeline.take());
+            Command command = timeline.take();
+            CommandResult result = executeOnWorld(command);
+            if (!isAboutRemoved(result)) {
+                commandListener.commandHandled(result);
+            }
+            if (command instanceof Command.RemoveObstacle removal) {
+                removedFromOutside.remove(removal.obstacle());
+            }
         }
+    }
+
+    /** Returns whether a command is refused only because its obstacle was removed from outside. */
+    private boolean isAboutRemoved(CommandResult result) {
+        return result.refusal()
+                .filter(refusal -> refusal.reason() == Refusal.Reason.UNKNOWN_OBSTACLE
+                        && removedFromOutside.contains(refusal.subject()))
+                .isPresent();
     }
 
     private CommandResult executeOnWorld(Command command) {
         CommandResult result = world.execute(command);
-        if (command instanceof Command.ConfigureController change) {
-            result = configure(change, result.tick());
-        }
-        commandListener.commandHandled(result);
-        return result;
+        return command instanceof Command.ConfigureController change ? configure(change, result.tick()) : result;
     }
 
     /** Changes the settings of the controller; they hold from its next observation. */
@@ -227,8 +243,12 @@ public final class Simulation implements AutoCloseable {
     public CommandResult execute(Command command) {
         executeDueCommands(world.tick() + 1);
         CommandResult result = executeOnWorld(command);
+        commandListener.commandHandled(result);
         if (result.refusal().isEmpty()) {
             journal.add(new Journal.Entry(result.tick(), command));
+            if (command instanceof Command.RemoveObstacle removal) {
+                removedFromOutside.add(removal.obstacle());
+            }
         }
         return result;
     }
