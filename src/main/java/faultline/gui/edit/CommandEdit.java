@@ -1,6 +1,7 @@
 package faultline.gui.edit;
 
 import faultline.gui.change.LaterChange;
+import faultline.gui.change.ObstacleOrigins;
 import faultline.gui.change.Rename;
 import faultline.gui.change.TimelineEvents;
 import faultline.world.Command;
@@ -120,6 +121,20 @@ final class CommandEdit implements Edit {
     /** Returns whether all commands belong to a time of the run. */
     boolean hasOnlyEvents() {
         return results().stream().map(CommandResult::command).allMatch(TimelineEvents::isEvent);
+    }
+
+    /** Returns whether the edit can be undone while another one, which was made later in this run, stays done. */
+    boolean isIndependentOf(CommandEdit newer) {
+        return !actsFromStart() && Collections.disjoint(subjects(), newer.subjects());
+    }
+
+    /** Returns the ids of the obstacles that the edit changes, and the kinds of its other changes. */
+    private List<String> subjects() {
+        return results().stream()
+                .map(CommandResult::command)
+                .map(command -> ObstacleOrigins.subject(command)
+                        .orElseGet(() -> EditTarget.of(command).kind()))
+                .toList();
     }
 
     /** Returns the results of the commands when they were executed for the first time. */

@@ -6,9 +6,11 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
@@ -33,6 +35,8 @@ final class EditHistory {
     private int cursor;
 
     private final EditLog log = new EditLog();
+    /** The edits whose undo was refused since the last new edit. */
+    private final Set<Edit> refused = new HashSet<>();
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
 
@@ -46,6 +50,7 @@ final class EditHistory {
      * dropped. Returns whether the edit has become a separate entry.
      */
     boolean add(Edit edit) {
+        refused.clear();
         List<CommandEdit> ahead = editsAhead();
         dropUndone();
         if (!isMerged(edit)) {
@@ -146,13 +151,35 @@ final class EditHistory {
                 .toList();
     }
 
-    /** Returns the edit that is undone next: the last one of those that are done whose undo has an effect. */
+    /**
+     * Returns the edit that is undone next: the last one of those that are done whose undo has an effect. One whose
+     * undo was refused is passed over as long as an edit before it changes other things; then it is tried again.
+     */
     Optional<Edit> nextUndo() {
-        int index = cursor - 1;
-        while (index >= 0 && !isEffective(edits.get(index))) {
-            index--;
+        List<Edit> passed = new ArrayList<>();
+        for (int index = cursor - 1; index >= 0; index--) {
+            Edit edit = edits.get(index);
+            if (isEffective(edit)) {
+                if (!refused.contains(edit) && isIndependent(edit, passed)) {
+                    return Optional.of(edit);
+                }
+                passed.add(edit);
+            }
         }
-        return index >= 0 ? Optional.of(edits.get(index)) : Optional.empty();
+        return passed.stream().findFirst();
+    }
+
+    private static boolean isIndependent(Edit edit, List<Edit> later) {
+        return later.isEmpty()
+                || edit instanceof CommandEdit command
+                        && later.stream()
+                                .allMatch(
+                                        other -> other instanceof CommandEdit newer && command.isIndependentOf(newer));
+    }
+
+    /** Records that the undo of an edit was refused, so that those before it can be undone. */
+    void passOver(CommandEdit edit) {
+        refused.add(edit);
     }
 
     /** Returns whether the timeline may have ended what an edit did since a tick; fast if there is no such edit. */
@@ -195,6 +222,7 @@ final class EditHistory {
 
     /** Makes an edit that is done the last such, or one that is undone the first such, if its state changes. */
     void mark(Edit edit, boolean done) {
+        refused.remove(edit);
         mark(edit, done, false);
     }
 
@@ -296,6 +324,7 @@ final class EditHistory {
      * become commands of the timeline, the edits of those that are done are replaced.
      */
     boolean moveTo(long tick, boolean eventsOnTimeline, BiFunction<Edit, List<CommandResult>, Edit> replacement) {
+        refused.clear();
         if (eventsOnTimeline) {
             replaceEvents(replacement);
             log.removeIf(IS_EVENT);
@@ -314,6 +343,7 @@ final class EditHistory {
      * that are done are replaced, as by {@link #moveTo}.
      */
     void restart(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
+        refused.clear();
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
         for (Edit edit : edits) {
@@ -382,6 +412,7 @@ final class EditHistory {
     }
 
     void clear() {
+        refused.clear();
         log.clear();
         edits.clear();
         cursor = 0;

@@ -437,6 +437,75 @@ class UndoControllerTest {
         assertEquals(List.of(pole), world.snapshot().obstacles());
     }
 
+    private static Command addLamp() {
+        return new Command.PlaceObstacle(LAMP);
+    }
+
+    @Test
+    void anEditBeforeOneWhoseUndoIsRefusedCanBeUndone() {
+        runOnEdt(() -> {
+            sender.send(addLamp());
+            sender.send(new Command.RemoveObstacle("desk"));
+        });
+        longRobot(true);
+        runOnEdt(controller::undo);
+        assertEquals(Optional.of("Add lamp"), undoName());
+        runOnEdt(controller::undo);
+        assertEquals(List.of(), world.snapshot().obstacles());
+        assertEquals(Optional.of("Delete desk"), undoName(), "it is tried again");
+        assertEquals(Optional.of("Add lamp"), callOnEdt(controller::redoName));
+        longRobot(false);
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+        assertEquals(Optional.empty(), undoName());
+        runOnEdt(controller::redo);
+        runOnEdt(controller::redo);
+        assertEquals(List.of(LAMP), world.snapshot().obstacles());
+    }
+
+    @Test
+    void anEditOfTheSameObstacleWaitsForTheOneWhoseUndoIsRefused() {
+        runOnEdt(() -> {
+            sender.send(addLamp());
+            sender.send(moveTo(3.9));
+            sender.send(new Command.RemoveObstacle("desk"));
+        });
+        longRobot(true);
+        runOnEdt(controller::undo);
+        assertEquals(Optional.of("Add lamp"), undoName());
+        runOnEdt(controller::undo);
+        assertEquals(Optional.of("Delete desk"), undoName());
+        longRobot(false);
+        runOnEdt(controller::undo);
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+    }
+
+    @Test
+    void aChangeOfTheSetupWaitsForTheEditWhoseUndoIsRefused() {
+        runOnEdt(() -> {
+            sender.send(addLamp());
+            controller.addSetupEdit(() -> "Name", "name", SetupChange.of(() -> {}, () -> {}));
+            sender.send(new Command.RemoveObstacle("desk"));
+        });
+        longRobot(true);
+        runOnEdt(controller::undo);
+        assertEquals(Optional.of("Delete desk"), undoName());
+    }
+
+    @Test
+    void aRefusedUndoIsTriedAgainAfterANewEdit() {
+        runOnEdt(() -> {
+            sender.send(addLamp());
+            sender.send(new Command.RemoveObstacle("desk"));
+        });
+        longRobot(true);
+        runOnEdt(controller::undo);
+        runOnEdt(() -> sender.send(new Command.SwitchSensor("front", false)));
+        runOnEdt(controller::undo);
+        assertEquals(Optional.of("Delete desk"), undoName());
+    }
+
     /** Makes the robot so long that it reaches the places of the obstacles, or of its default length. */
     private void longRobot(boolean isLong) {
         assertEquals(
