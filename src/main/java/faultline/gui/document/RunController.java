@@ -223,8 +223,10 @@ public final class RunController implements WorkspaceListener {
         if (isDocumentOpen(open)) {
             onChanged.run();
             workspace.fire(WorkspaceListener::titleChanged);
-            // A restart or a move that has been requested since includes the change.
-            if (!isRepositioning()) {
+            if (isRepositioning()) {
+                // A restart or a move that has been requested since includes the change.
+                navigator.awaitChange();
+            } else {
                 navigator.resimulate();
             }
         }

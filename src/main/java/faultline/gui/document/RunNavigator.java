@@ -84,6 +84,11 @@ public final class RunNavigator implements WorkspaceListener {
         return workspace.task().filter(active -> active.kind() == TaskKind.OPEN).isPresent();
     }
 
+    /** Notes that the run lacks a change of the setup if the restart or the move that includes it does not succeed. */
+    void awaitChange() {
+        lacksChange = true;
+    }
+
     /**
      * Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. While
      * a scenario is being opened, the run stays as it is, and lacks the change if that is cancelled or fails.

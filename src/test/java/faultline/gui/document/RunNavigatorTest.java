@@ -24,6 +24,7 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import faultline.world.Obstacle;
+import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -455,6 +456,31 @@ class RunNavigatorTest {
         assertEquals(List.of(1), reports, "the run has the change");
     }
 
+    /** After a restart, an undo changes the start of the run, as soon as the run has answered. */
+    @Test
+    void aMoveThatIsCancelledLeavesARunWithoutTheUndoBefore() {
+        runOnEdt(run::restart);
+        Await.until("the restart", () -> workspace.task().isEmpty() && SessionFrames.tick(workspace) == 0);
+        stepTo(10);
+        List<Integer> reports = countDeferredChanges();
+        runOnEdt(() -> {
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void titleChanged() {
+                    if (editedPole().equals(FIRST)) {
+                        // The move was requested after the undo, so it cannot be complete yet.
+                        EventQueue.invokeLater(workspace::cancelTask);
+                    }
+                }
+            });
+            edits.undo();
+            run.navigator().seek(5);
+        });
+        waitForEdited(FIRST);
+        Await.until("the report", () -> reports.equals(List.of(1)));
+        assertEquals(SECOND, pole());
+    }
+
     @Test
     void aMoveOrAChangeDoesNotEndTheOpeningOfAScenario() throws Exception {
         Path office = Path.of("scenarios/office.xml");
@@ -515,9 +541,12 @@ class RunNavigatorTest {
     private void waitForEdited(Pose pose) {
         Await.until("the scenario's pole at " + pose, () -> {
             SessionFrames.poll(workspace);
-            return pole(workspace.scenario().orElseThrow().setup().world().obstacles())
-                    .equals(pose);
+            return editedPole().equals(pose);
         });
+    }
+
+    private Pose editedPole() {
+        return pole(workspace.scenario().orElseThrow().setup().world().obstacles());
     }
 
     private Pose pole() {
