@@ -48,7 +48,7 @@ public final class RunActions {
                 .withIcon(Glyph.STEP));
         actions.add(stepBackAction);
         actions.add(UiAction.of("goToTime", this::goToTime).withAccelerator(menuShortcut(KeyEvent.VK_T)));
-        actions.add(UiAction.of("restart", runController::restart)
+        actions.add(UiAction.of("restart", runController::restartUnlessOpening)
                 .withAccelerator(menuShortcut(KeyEvent.VK_R))
                 .withIcon(Glyph.RESTART));
         actions.add(

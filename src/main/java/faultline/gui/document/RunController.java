@@ -114,6 +114,13 @@ public final class RunController implements WorkspaceListener {
         workspace.openDocument().ifPresent(now -> restart(now, now.edited(), () -> {}));
     }
 
+    /** Restarts the run as {@link #restart} does, unless a scenario is being opened, which a restart would cancel. */
+    public void restartUnlessOpening() {
+        if (!navigator.isOpening()) {
+            restart();
+        }
+    }
+
     /**
      * Moves the robot's start in the edited scenario and restarts the run, asynchronously. {@code move} is called once,
      * as soon as the run has answered all commands, with the start by then.

@@ -80,7 +80,7 @@ public final class RunNavigator implements WorkspaceListener {
                 .orElse(0.0);
     }
 
-    private boolean isOpening() {
+    boolean isOpening() {
         return workspace.task().filter(active -> active.kind() == TaskKind.OPEN).isPresent();
     }
 

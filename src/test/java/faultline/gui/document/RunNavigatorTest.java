@@ -482,13 +482,14 @@ class RunNavigatorTest {
     }
 
     @Test
-    void aMoveOrAChangeDoesNotEndTheOpeningOfAScenario() throws Exception {
+    void aMoveARestartOrAChangeDoesNotEndTheOpeningOfAScenario() throws Exception {
         Path office = Path.of("scenarios/office.xml");
         List<Integer> reports = countDeferredChanges();
         CompletableFuture<Scenario> found = new CompletableFuture<>();
         runOnEdt(() -> {
             documentStore.open(office, found::get);
             run.navigator().seek(5);
+            run.restartUnlessOpening();
             changeSeed();
         });
         found.complete(Scenario.load(office));
