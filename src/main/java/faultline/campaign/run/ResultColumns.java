@@ -97,14 +97,14 @@ public final class ResultColumns {
             new ResultColumn(
                     "detection_delay_s",
                     "s",
-                    "time from the first fault until the diagnosis does not trust its sensor, less than a tick if it"
-                            + " did not before, empty if it always does or the fault is one of motors",
+                    "time from the first fault until the diagnosis no longer trusts its sensor; empty if it always"
+                            + " does, if it did not before and never does again, or if the fault is one of motors",
                     run -> fixed(run.diagnosis().detectionDelay().orElse(Double.NaN), 3)),
             new ResultColumn(
                     "false_alarms",
                     "",
-                    "sensors, on and without a fault in the whole run, that the diagnosis did not trust at some time,"
-                            + " empty without a diagnosis",
+                    "sensors that the diagnosis did not trust at some time before any fault of theirs, while they were"
+                            + " on; empty without a diagnosis",
                     run -> run.diagnosis().falseAlarms().isPresent()
                             ? Integer.toString(run.diagnosis().falseAlarms().getAsInt())
                             : ""),

@@ -5,24 +5,35 @@ import faultline.control.Telemetry;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.world.Command;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 
-/** Compares the findings of a controller's diagnosis with the actual faults of the sensors. */
+/**
+ * Compares the findings of a controller's diagnosis with the actual faults of the sensors. A sensor that is distrusted
+ * before its own first fault is a false alarm. In the tick of a fault, the diagnosis is still that of the readings
+ * before it.
+ */
 public final class DiagnosisMetrics implements TickObserver {
 
     private final double onset;
-    private final Set<String> faulty = new HashSet<>();
+    private final long onsetTick;
+    /** The ticks of the first fault of each sensor that has one. */
+    private final Map<String, Long> faultTicks = new HashMap<>();
+
     private final String firstFaulty;
     private final Set<String> wronglyDistrusted = new HashSet<>();
     /** The length of a tick, seconds. */
     private final double dt;
+
+    /** Whether the sensor that fails first was trusted at the last observation. */
+    private boolean trusted = true;
 
     private double detected = Double.NaN;
     private double secondsInView;
@@ -38,9 +49,12 @@ public final class DiagnosisMetrics implements TickObserver {
     public DiagnosisMetrics(SimulationSetup setup) {
         dt = setup.dt();
         onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
-        setup.timeline().stream()
-                .filter(timed -> timed.command() instanceof Command.InjectFault)
-                .forEach(timed -> faulty.add(((Command.InjectFault) timed.command()).sensor()));
+        onsetTick = setup.tickAt(onset);
+        for (SimulationSetup.TimedCommand timed : setup.timeline()) {
+            if (timed.command() instanceof Command.InjectFault fault) {
+                faultTicks.merge(fault.sensor(), setup.tickAt(timed.time()), Math::min);
+            }
+        }
         firstFaulty = setup.timeline().stream()
                 .filter(timed -> CarryOnMetrics.startTime(setup, timed) == onset
                         && timed.command() instanceof Command.InjectFault)
@@ -59,10 +73,15 @@ public final class DiagnosisMetrics implements TickObserver {
         }
         List<SensorHealth> health = diagnosis.health();
         diagnosed |= !health.isEmpty();
+        boolean wasTrusted = trusted;
+        trusted = true;
         for (SensorHealth sensor : health) {
             if (!sensor.isTrusted()) {
-                distrust(sensor.sensor(), simulation.time(), simulation.robot());
+                distrust(sensor.sensor(), simulation);
             }
+        }
+        if (Double.isNaN(detected) && wasTrusted && !trusted && simulation.ticks() > onsetTick) {
+            detected = simulation.time();
         }
     }
 
@@ -80,19 +99,17 @@ public final class DiagnosisMetrics implements TickObserver {
         }
     }
 
-    private void distrust(String sensor, double time, RobotSpec robot) {
-        if (!faulty.contains(sensor)
-                && robot.sensor(sensor).filter(spec -> spec.on()).isPresent()) {
+    private void distrust(String sensor, Simulation simulation) {
+        trusted &= !sensor.equals(firstFaulty);
+        if (simulation.ticks() <= faultTicks.getOrDefault(sensor, Long.MAX_VALUE)
+                && simulation.robot().sensor(sensor).filter(spec -> spec.on()).isPresent()) {
             wronglyDistrusted.add(sensor);
-        }
-        if (Double.isNaN(detected) && time >= onset && firstFaulty.equals(sensor)) {
-            detected = time;
         }
     }
 
     /**
-     * {@return the time from the first fault until its sensor is not trusted, seconds; empty if it always is, or if the
-     * first fault is one of motors}
+     * {@return the time from the first fault until its sensor is no longer trusted, seconds; empty if it always is, if
+     * it was not trusted before and never is again, or if the first fault is one of motors}
      */
     public OptionalDouble detectionDelay() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
@@ -100,7 +117,7 @@ public final class DiagnosisMetrics implements TickObserver {
 
     /**
      * {@return the time with a surface within the range of the sensor, so that a fault could be seen, from the tick of
-     * the first fault to that of its detection, both included, seconds; empty if the sensor is always trusted} It can
+     * the first fault to that of its detection, both included, seconds; empty without a {@link #detectionDelay}} It can
      * be longer than the delay by one tick.
      */
     public OptionalDouble secondsInView() {
@@ -109,14 +126,15 @@ public final class DiagnosisMetrics implements TickObserver {
 
     /**
      * {@return the largest difference between a reading and the distance from the tick of the first fault to that of
-     * its detection, both included, metres; empty if its sensor is always trusted}
+     * its detection, both included, metres; empty without a {@link #detectionDelay}}
      */
     public OptionalDouble errorBeforeDetection() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(largestError);
     }
 
     /**
-     * {@return the number of sensors without any fault that were not trusted at some time; empty without a diagnosis}
+     * {@return the number of sensors that were not trusted at some time before any fault of theirs, while they were on;
+     * empty without a diagnosis}
      */
     public OptionalInt falseAlarms() {
         return diagnosed ? OptionalInt.of(wronglyDistrusted.size()) : OptionalInt.empty();

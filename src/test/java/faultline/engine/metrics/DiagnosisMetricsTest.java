@@ -102,6 +102,10 @@ class DiagnosisMetricsTest {
         return metrics;
     }
 
+    private static List<SensorHealth> trusted(String sensor) {
+        return List.of(SensorHealth.trusted(sensor));
+    }
+
     private static SensorHealth distrusted(String sensor) {
         return new SensorHealth(sensor, SensorTrust.DISTRUSTED, SensorFinding.STUCK, 1, 0);
     }
@@ -116,17 +120,26 @@ class DiagnosisMetricsTest {
 
     @Test
     void aSensorWithoutAFaultThatIsNotTrustedOnceIsAFalseAlarm() {
-        List<SensorHealth> some = List.of(
-                SensorHealth.trusted("front-left"),
-                distrusted("front"),
-                distrusted("left"),
-                distrusted("rear"),
-                distrusted("right"));
+        List<SensorHealth> some = List.of(SensorHealth.trusted("front-left"), distrusted("front"), distrusted("rear"));
         DiagnosisMetrics metrics = observe(twoFaults(), tick -> tick == 2 ? some : List.of());
-        assertEquals(OptionalInt.of(1), metrics.falseAlarms(), "front; the others fail or are switched off");
-        assertEquals(OptionalDouble.empty(), metrics.detectionDelay(), "left fails later");
+        assertEquals(OptionalInt.of(1), metrics.falseAlarms(), "front; rear is switched off");
         assertEquals(
                 OptionalInt.empty(), observe(twoFaults(), tick -> List.of()).falseAlarms());
+    }
+
+    /** The decision on observation 4 acts at tick 5, before the diagnosis has seen a reading with the fault. */
+    @Test
+    void aSensorThatIsNotTrustedBeforeItsFaultIsAFalseAlarm() {
+        for (int tick = 2; tick < 12; tick++) {
+            int only = tick;
+            DiagnosisMetrics left =
+                    observe(twoFaults(), observed -> observed == only ? List.of(distrusted("left")) : trusted("left"));
+            DiagnosisMetrics right = observe(
+                    twoFaults(), observed -> observed == only ? List.of(distrusted("right")) : trusted("right"));
+            assertEquals(OptionalInt.of(tick <= 4 ? 1 : 0), left.falseAlarms(), "tick " + tick);
+            assertEquals(OptionalInt.of(tick <= 9 ? 1 : 0), right.falseAlarms(), "tick " + tick);
+            assertEquals(tick > 4, left.detectionDelay().isPresent(), "tick " + tick);
+        }
     }
 
     /** The decision on observation 7 acts at tick 8. */
@@ -140,7 +153,19 @@ class DiagnosisMetricsTest {
                         .detectionDelay()
                         .orElseThrow(),
                 1e-9);
-        assertEquals(OptionalDouble.of(0), observe(twoFaults(), tick -> left).detectionDelay());
+    }
+
+    @Test
+    void aDistrustThatBeganBeforeTheFaultDoesNotDetectIt() {
+        DiagnosisMetrics always = observe(twoFaults(), tick -> List.of(distrusted("left")));
+        assertEquals(OptionalDouble.empty(), always.detectionDelay());
+        assertEquals(OptionalDouble.empty(), always.secondsInView());
+        assertEquals(OptionalDouble.empty(), always.errorBeforeDetection());
+        assertEquals(OptionalInt.of(1), always.falseAlarms());
+        DiagnosisMetrics twice =
+                observe(twoFaults(), tick -> tick == 10 ? trusted("left") : List.of(distrusted("left")));
+        assertEquals(0.07, twice.detectionDelay().orElseThrow(), 1e-9, "from 0.05 s to tick 12");
+        assertEquals(OptionalInt.of(1), twice.falseAlarms());
     }
 
     /** The product of 11 and 0.03 is less than 0.33. */
@@ -150,8 +175,9 @@ class DiagnosisMetricsTest {
                 .withTimeline(List.of(
                         new SimulationSetup.TimedCommand(0.33, new Command.InjectFault("left", new Fault.Dead()))));
         assertTrue(11 * setup.dt() < 0.33);
-        DiagnosisMetrics metrics = observe(setup, tick -> List.of(distrusted("left")));
-        assertEquals(OptionalDouble.of(0), metrics.detectionDelay());
+        DiagnosisMetrics metrics = observe(setup, tick -> tick < 11 ? trusted("left") : List.of(distrusted("left")));
+        assertEquals(0.03, metrics.detectionDelay().orElseThrow(), 1e-9, "the first decision on a reading with it");
+        assertEquals(OptionalInt.of(0), metrics.falseAlarms());
     }
 
     @Test
