@@ -15,31 +15,69 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assertions;
 
-/** Starts Java programs with the class path of the tests, and kills them at random moments. */
+/**
+ * Starts Java programs, and kills them at random moments. Most of them end so early that the optimising compiler would
+ * take more time than it saves, so they do without it. Programs whose processor time or memory a test limits, and those
+ * that compute for long, get the virtual machine as users start it.
+ */
 public final class JavaProcess {
 
     /** How often each writer is killed; the system property {@code faultline.kills} sets it. */
     public static final int KILLS = Integer.getInteger("faultline.kills", 3);
 
+    /** The options of a virtual machine for a program that ends soon. */
+    private static final List<String> FOR_SHORT_PROGRAMS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+
     private static final SplittableRandom RANDOM = new SplittableRandom(Long.getLong("faultline.kills.seed", 99));
 
     private JavaProcess() {}
 
-    /** Returns a builder of a process that runs a class. */
+    /** Returns a builder of a process that runs a class for a short time. */
     public static ProcessBuilder builder(String mainClass, List<String> arguments) {
-        return builder(classPath(), mainClass, arguments);
+        return new ProcessBuilder(command(FOR_SHORT_PROGRAMS, classPath(), mainClass, arguments));
     }
 
-    /** Returns a builder of a process that runs a class, with a folder of further classes. */
+    /** Returns a builder of a process that runs a class for a short time, with a folder of further classes. */
     public static ProcessBuilder builder(Path classes, String mainClass, List<String> arguments) {
-        return builder(classPath() + File.pathSeparator + classes, mainClass, arguments);
+        return new ProcessBuilder(
+                command(FOR_SHORT_PROGRAMS, classPath() + File.pathSeparator + classes, mainClass, arguments));
     }
 
-    private static ProcessBuilder builder(String classPath, String mainClass, List<String> arguments) {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath, mainClass));
+    /** Returns a builder of a process that runs a class for long, or within limits. */
+    public static ProcessBuilder longBuilder(String mainClass, List<String> arguments) {
+        return new ProcessBuilder(command(List.of(), classPath(), mainClass, arguments));
+    }
+
+    /**
+     * Returns the command that runs the program for a short time, from its own classes alone. Further options of the
+     * virtual machine have their place at index 1, arguments at the end.
+     */
+    public static List<String> program() {
+        return command(FOR_SHORT_PROGRAMS, programClasses(), "faultline.app.Main", List.of());
+    }
+
+    /** Returns the command that runs the program for long, or within limits, from its own classes alone. */
+    public static List<String> longProgram() {
+        return command(List.of(), programClasses(), "faultline.app.Main", List.of());
+    }
+
+    private static List<String> command(
+            List<String> options, String classPath, String mainClass, List<String> arguments) {
+        List<String> command = new ArrayList<>(List.of(executable()));
+        command.addAll(options);
+        command.addAll(List.of("-cp", classPath, mainClass));
         command.addAll(arguments);
-        return new ProcessBuilder(command);
+        return command;
+    }
+
+    /** Returns the path of the command {@code java}. */
+    public static String executable() {
+        return Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    }
+
+    /** Returns the folder from which the classes of the program are loaded. */
+    public static String programClasses() {
+        return location(World.class);
     }
 
     /**

@@ -168,9 +168,9 @@ class SnippetsTest {
     }
 
     private String run(String arguments, Set<Integer> allowed) throws Exception {
-        String program = Path.of(System.getProperty("java.home"), "bin", "java") + " -Djava.awt.headless=true -cp "
-                + PackageGraph.compiledClasses() + " faultline.app.Main";
-        List<String> command = WORD.matcher((JAR + " " + arguments).replace(JAR, program))
+        List<String> program = JavaProcess.program();
+        program.add(1, "-Djava.awt.headless=true");
+        List<String> command = WORD.matcher((JAR + " " + arguments).replace(JAR, String.join(" ", program)))
                 .results()
                 .map(word -> word.group().replace("\"", ""))
                 .toList();

@@ -6,13 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import faultline.JavaProcess;
-import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
@@ -52,15 +50,11 @@ class CampaignProcessTest {
         return builder(arguments).start();
     }
 
-    private ProcessBuilder builder(String... arguments) throws Exception {
-        Path classes = Path.of(CampaignPlan.class
-                .getProtectionDomain()
-                .getCodeSource()
-                .getLocation()
-                .toURI());
-        Path java = Path.of(System.getProperty("java.home"), "bin", "java");
-        List<String> command =
-                new ArrayList<>(List.of(java.toString(), "-cp", classes.toString(), "faultline.app.Main"));
+    private ProcessBuilder builder(String... arguments) {
+        return builder(JavaProcess.program(), arguments);
+    }
+
+    private ProcessBuilder builder(List<String> command, String... arguments) {
         command.addAll(List.of(arguments));
         return new ProcessBuilder(command)
                 .directory(folder.toFile())
@@ -115,7 +109,7 @@ class CampaignProcessTest {
     void aProgramThatIsAppendedToTheClassesOfTheMachineMakesACampaign() throws Exception {
         writePlan(1);
         ProcessBuilder appended = builder("campaign", "plan.xml", "--out", "appended");
-        appended.command().add(1, "-Xbootclasspath/a:" + appended.command().get(2));
+        appended.command().add(1, "-Xbootclasspath/a:" + JavaProcess.programClasses());
         Process process = appended.start();
         assertTrue(process.waitFor(120, TimeUnit.SECONDS));
         assertEquals(0, process.exitValue(), Files.readString(folder.resolve("output.txt")));
@@ -131,7 +125,7 @@ class CampaignProcessTest {
                         "",
                         "<worlds><scenario file=\"room.xml\"/></worlds>"
                                 + "<set attribute=\"controller/@distance\" value=\"6000\"/>"));
-        ProcessBuilder small = builder("campaign", "plan.xml", "--out", "small");
+        ProcessBuilder small = builder(JavaProcess.longProgram(), "campaign", "plan.xml", "--out", "small");
         small.command().add(1, "-Xmx48m");
         Process process = small.start();
         assertTrue(process.waitFor(120, TimeUnit.SECONDS));
@@ -143,7 +137,7 @@ class CampaignProcessTest {
      * Returns a campaign on a full disk, which a limit for the size of files represents: the table of the runs reaches
      * it before that of the times.
      */
-    private ProcessBuilder limited() throws Exception {
+    private ProcessBuilder limited() {
         ProcessBuilder limited = builder("campaign", "plan.xml", "--out", "limited", "--jobs", "1");
         // The data that a virtual machine gives to others are a file of 32 kB.
         limited.command().add(1, "-XX:-UsePerfData");

@@ -372,7 +372,7 @@ class CommandLineTest {
         text.append("\"/></world><robot x=\"1\" y=\"1\"/></scenario>");
         Path file = folder.resolve("long.xml");
         Files.writeString(file, text);
-        ProcessBuilder builder = JavaProcess.builder("faultline.app.Main", List.of("run", file.toString()));
+        ProcessBuilder builder = JavaProcess.longBuilder("faultline.app.Main", List.of("run", file.toString()));
         builder.command().add(1, "-Xmx12m");
         Process process = builder.redirectErrorStream(true).start();
         assertEquals("faultline: there is not enough memory\n", JavaProcess.output(process));

@@ -32,7 +32,7 @@ class LongPathTest {
     }
 
     private Process run(String heap) throws IOException {
-        ProcessBuilder builder = JavaProcess.builder(
+        ProcessBuilder builder = JavaProcess.longBuilder(
                 "faultline.app.Main",
                 List.of("run", folder.resolve("corridor.xml").toString(), "--trace", trace.toString()));
         builder.command().add(1, heap);

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import faultline.campaign.plan.CampaignPlan;
+import faultline.JavaProcess;
 import faultline.campaign.plan.SamplePlan;
 import faultline.engine.RunFailedException;
 import faultline.engine.metrics.HeadlessRun;
@@ -249,15 +249,8 @@ class OutputFilesTest {
     }
 
     private Process start(List<String> arguments, Path output, String... options) throws Exception {
-        Path classes = Path.of(CampaignPlan.class
-                .getProtectionDomain()
-                .getCodeSource()
-                .getLocation()
-                .toURI());
-        List<String> command = new ArrayList<>();
-        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.addAll(List.of(options));
-        command.addAll(List.of("-cp", classes.toString(), "faultline.app.Main"));
+        List<String> command = JavaProcess.program();
+        command.addAll(1, List.of(options));
         command.addAll(arguments);
         return new ProcessBuilder(command).redirectOutput(output.toFile()).start();
     }

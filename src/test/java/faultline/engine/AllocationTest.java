@@ -83,7 +83,7 @@ class AllocationTest {
 
     private static String probe(String... arguments) throws Exception {
         List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                JavaProcess.executable(),
                 "-cp",
                 place(Simulation.class) + File.pathSeparator + place(Probe.class),
                 Probe.class.getName()));

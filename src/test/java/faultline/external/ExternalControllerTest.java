@@ -6,15 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import faultline.JavaProcess;
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
+import faultline.io.ShellText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -78,20 +79,8 @@ class ExternalControllerTest {
         }
     }
 
-    static Path classes() {
-        try {
-            return Path.of(ExternalController.class
-                    .getProtectionDomain()
-                    .getCodeSource()
-                    .getLocation()
-                    .toURI());
-        } catch (URISyntaxException e) {
-            throw new IllegalStateException(e);
-        }
-    }
-
     private static String javaChild(String arguments) {
-        return Path.of(System.getProperty("java.home"), "bin", "java") + " -cp '" + classes() + "' faultline.app.Main "
+        return JavaProcess.program().stream().map(ShellText::quoted).collect(Collectors.joining(" ", "", " "))
                 + arguments;
     }
 

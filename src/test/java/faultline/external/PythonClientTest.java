@@ -474,9 +474,7 @@ class PythonClientTest {
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().put("PYTHONPATH", EXAMPLES.toString());
         builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        builder.environment()
-                .put("FAULTLINE", java + " -cp " + ExternalControllerTest.classes() + " faultline.app.Main");
+        builder.environment().put("FAULTLINE", String.join(" ", JavaProcess.program()));
         try {
             Process process = builder.start();
             process.getOutputStream().close();

@@ -54,8 +54,7 @@ class ProgramCommandTest {
                 }
             }
         }
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        Process process = new ProcessBuilder(java, "-jar", "my tools/robot.jar")
+        Process process = new ProcessBuilder(JavaProcess.executable(), "-jar", "my tools/robot.jar")
                 .directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();

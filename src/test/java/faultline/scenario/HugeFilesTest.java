@@ -102,7 +102,7 @@ class HugeFilesTest {
 
     @Test
     void everyFileIsCheckedInTimeAndInHalfAGigabyte() throws Exception {
-        ProcessBuilder builder = JavaProcess.builder(FileCheck.class.getName(), List.of());
+        ProcessBuilder builder = JavaProcess.longBuilder(FileCheck.class.getName(), List.of());
         builder.command().add(1, "-Xmx512m");
         Process process = builder.redirectErrorStream(true).start();
         assertEquals("checked\n", JavaProcess.output(process));

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.JavaProcess;
 import faultline.engine.Frame;
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
@@ -228,13 +229,9 @@ class JournalRobotTest {
 
     /** Returns the hash that the program prints for a file when it runs without a window. */
     private static String headless(Path file) throws IOException {
-        Process program = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        "target/classes",
-                        "faultline.app.Main",
-                        "run",
-                        file.toString())
+        List<String> command = JavaProcess.program();
+        command.addAll(List.of("run", file.toString()));
+        Process program = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         try (BufferedReader lines = program.inputReader(StandardCharsets.UTF_8)) {

@@ -45,7 +45,8 @@ class ManyObstaclesRobotTest {
     @Test
     void theFirstPictureTakesAFewSecondsOfProcessorTime() throws Exception {
         Path file = Files.writeString(folder.resolve("many.xml"), ManyObstacles.text());
-        Process process = JavaProcess.builder(FirstPicture.class.getName(), List.of("--startup-time", file.toString()))
+        Process process = JavaProcess.longBuilder(
+                        FirstPicture.class.getName(), List.of("--startup-time", file.toString()))
                 .start();
         List<String> lines = JavaProcess.output(process).lines().toList();
         assertEquals(0, process.waitFor());
