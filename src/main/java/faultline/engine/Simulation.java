@@ -20,11 +20,9 @@ import faultline.world.Snapshot;
 import faultline.world.SpatialIndex;
 import faultline.world.World;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Supplier;
 
 /**
@@ -47,9 +45,7 @@ public final class Simulation implements AutoCloseable {
     private final CommandListener commandListener;
     private final Timeline timeline;
     private final List<Journal.Entry> journal = new ArrayList<>();
-    /** The obstacles that commands from outside have removed, unless the timeline has removed them since. */
-    private final Set<String> removedFromOutside = new HashSet<>();
-
+    private final VoidCommands voidCommands = new VoidCommands();
     private final TrajectoryRecorder trajectoryRecorder = new TrajectoryRecorder();
     private Decision activeDecision;
     private ControllerSpec controllerSpec;
@@ -199,23 +195,11 @@ public final class Simulation implements AutoCloseable {
 
     private void executeDueCommands(long tick) {
         while (timeline.isDue(tick)) {
-            Command command = timeline.take();
-            CommandResult result = executeOnWorld(command);
-            if (!isAboutRemoved(result)) {
+            CommandResult result = executeOnWorld(timeline.take());
+            if (!voidCommands.takenFromTimeline(result)) {
                 commandListener.commandHandled(result);
             }
-            if (command instanceof Command.RemoveObstacle removal) {
-                removedFromOutside.remove(removal.obstacle());
-            }
         }
-    }
-
-    /** Returns whether a command is refused only because its obstacle was removed from outside. */
-    private boolean isAboutRemoved(CommandResult result) {
-        return result.refusal()
-                .filter(refusal -> refusal.reason() == Refusal.Reason.UNKNOWN_OBSTACLE
-                        && removedFromOutside.contains(refusal.subject()))
-                .isPresent();
     }
 
     private CommandResult executeOnWorld(Command command) {
@@ -246,9 +230,7 @@ public final class Simulation implements AutoCloseable {
         commandListener.commandHandled(result);
         if (result.refusal().isEmpty()) {
             journal.add(new Journal.Entry(result.tick(), command));
-            if (command instanceof Command.RemoveObstacle removal) {
-                removedFromOutside.add(removal.obstacle());
-            }
+            voidCommands.executedFromOutside(command);
         }
         return result;
     }
