@@ -98,9 +98,6 @@ public final class CampaignMerge {
                 requireWholeHeader(part);
                 requireTimingHeader(part.folder.timing());
             }
-            if (Files.exists(out.runs())) {
-                requireHeader(out.runs());
-            }
             OtherFiles.requireNone(out, plan, mergedTables(out));
             long broken = write(out.runs(), CampaignFolder::runs, true);
             write(out.timing(), CampaignFolder::timing, false);
@@ -112,9 +109,14 @@ public final class CampaignMerge {
 
     /** Throws an exception if a part has no header: a part without runs may have been killed before it wrote one. */
     private void requireWholeHeader(ShardFolder part) throws IOException {
-        if (!requireHeader(part.folder.runs()).equals(ResultColumns.header(plan))) {
-            throw new IOException(part.folder + ": part " + part.shard + " has no table; campaign with --shard "
-                    + part.shard + " --resume makes it");
+        String header = ResultColumns.header(plan);
+        try (LineReader in = new LineReader(part.folder.runs())) {
+            String given = in.next();
+            RunTable.requireNoOther(header, given, part.folder.runs());
+            if (!given.equals(header)) {
+                throw new IOException(part.folder + ": part " + part.shard + " has no table; campaign with --shard "
+                        + part.shard + " --resume makes it");
+            }
         }
     }
 
@@ -124,15 +126,6 @@ public final class CampaignMerge {
             try (LineReader in = new LineReader(table)) {
                 RunTable.requireNoOther(RunTable.TIMING_HEADER, in.next(), table);
             }
-        }
-    }
-
-    /** Returns the first line of a table, which is the header of this campaign or its beginning. */
-    private String requireHeader(Path table) throws IOException {
-        try (LineReader in = new LineReader(table)) {
-            String first = in.next();
-            RunTable.requireNoOther(ResultColumns.header(plan), first, table);
-            return first;
         }
     }
 
@@ -211,7 +204,7 @@ public final class CampaignMerge {
         private void requireGood(List<String> names, List<String> cells, long run, long row, long rows)
                 throws IOException {
             if (row >= rows) {
-                throw wrong(row, "there is a row after that of the last run; expected " + rows + " rows");
+                throw wrong(row, ResultsProblem.TOO_MANY_ROWS.with(rows).toString());
             }
             Optional<Message> problem = RowCheck.findProblem(names, cells, run);
             if (problem.isPresent()) {

@@ -20,8 +20,14 @@ public final class LineReader implements Closeable {
     /** The maximum length of a line, bytes; a row has a few hundred. */
     static final int MAX_LENGTH = 1 << 20;
 
+    /** File systems write whole blocks, whose sizes are multiples of this, bytes. */
+    private static final int BLOCK = 512;
+
     private final InputStream in;
-    private int length;
+    /** The last line. */
+    private byte[] bytes = {};
+    /** The end of the last line, bytes from the beginning of the file. */
+    private long position;
 
     /**
      * Opens a file.
@@ -52,18 +58,36 @@ public final class LineReader implements Closeable {
         if (c >= 0) {
             line.write(c);
         }
-        length = line.size();
-        return line.toString(StandardCharsets.UTF_8);
+        bytes = line.toByteArray();
+        position += bytes.length;
+        return new String(bytes, StandardCharsets.UTF_8);
     }
 
     /** {@return whether the last line is too long to be a row of a table, so that it may be only a part of a line} */
     public boolean isTooLong() {
-        return length > MAX_LENGTH;
+        return bytes.length > MAX_LENGTH;
     }
 
     /** Returns the length of the last line, bytes. */
     int length() {
-        return length;
+        return bytes.length;
+    }
+
+    /**
+     * Returns whether the last line contains zeros that a crash of the machine leaves, up to the end of the file or the
+     * beginning of a block that was written. The lines up to there are read.
+     */
+    boolean hasZerosOfCrash() throws IOException {
+        boolean zeros = false;
+        for (; bytes.length > 0; next()) {
+            for (int i = 0; i < bytes.length; i++) {
+                if (zeros && bytes[i] != 0) {
+                    return (position - bytes.length + i) % BLOCK == 0;
+                }
+                zeros |= bytes[i] == 0;
+            }
+        }
+        return zeros;
     }
 
     @Override

@@ -29,6 +29,10 @@ public enum ResultsProblem implements Message.Template {
     NOT_IN_PLAN("run {0} is not in the plan; expected 0 to {1}"),
     /** A run is in the table twice. */
     TWICE("run {0} is there twice; expected each run once"),
+    /** A row has a byte that text does not have. */
+    ZERO_BYTE("the row has a byte of zero"),
+    /** There are more rows than runs. */
+    TOO_MANY_ROWS("there is a row after that of the last run; expected {0} rows"),
     /** A row of a campaign in progress is wrong. */
     WRONG_ROW("{0}; restore the table, or delete this row and those below to make their runs again"),
 

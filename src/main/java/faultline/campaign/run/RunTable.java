@@ -20,8 +20,9 @@ import java.util.Optional;
 /**
  * The two tables of a campaign in progress. Rows are appended in the order of the runs, so the file is always the
  * beginning of the finished table, except for an incomplete last row of a killed process, or zeros that a crash of the
- * machine has left. Opening a partial table removes them. A table with a wrong row is refused: people and other
- * programs may have changed it, and its rows can take days to make.
+ * machine has left where blocks were not written. Opening a partial table removes them, with what is below. A table
+ * with a wrong row, with other zeros or with more rows than runs is refused: people and other programs may have changed
+ * it, and its rows can take days to make.
  */
 final class RunTable implements Closeable {
 
@@ -68,38 +69,66 @@ final class RunTable implements Closeable {
         }
         List<String> names = Csv.cells(header.strip());
         int outcome = names.indexOf("outcome");
+        long first = next;
         try (LineReader in = new LineReader(file)) {
-            String first = in.next();
-            if (!first.equals(header)) {
-                requireNoOther(header, first, file);
+            String given = in.next();
+            if (!given.equals(header)) {
+                requireNoOther(header, given, file);
                 return 0;
             }
             long length = in.length();
             long row = 2;
-            for (String line = in.next(); next < end && line.endsWith("\n"); line = in.next()) {
-                if (line.indexOf('\0') >= 0) {
-                    return length;
-                }
+            String line = in.next();
+            for (; next < end && line.endsWith("\n") && !in.isTooLong() && !hasZero(line); line = in.next()) {
                 List<String> cells = Csv.cells(line.stripTrailing());
                 Optional<Message> problem = RowCheck.findProblem(names, cells, next);
                 if (problem.isPresent()) {
-                    throw new MessageException(file + ":" + row, ResultsProblem.WRONG_ROW.with(problem.get()), null);
+                    throw wrongRow(file + ":" + row, problem.get());
                 }
                 row++;
                 broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                 length += in.length();
                 next++;
             }
+            for (; next == end && line.isBlank() && !line.isEmpty(); line = in.next()) {
+                row++;
+            }
+            requireUnfinished(in, line, file + ":" + row);
+            if (next == end && !line.isEmpty() && !hasZero(line)) {
+                throw new MessageException(file + ":" + row, ResultsProblem.TOO_MANY_ROWS.with(end - first), null);
+            }
             return length;
         }
     }
 
+    /** Throws an exception if neither a killed process nor a crash of the machine leaves this line below the rows. */
+    private static void requireUnfinished(LineReader in, String line, String place) throws IOException {
+        if (hasZero(line) && !in.hasZerosOfCrash()) {
+            throw wrongRow(place, ResultsProblem.ZERO_BYTE.with());
+        }
+        if (!hasZero(line) && in.isTooLong()) {
+            throw wrongRow(place, ResultsProblem.LONG_ROW.with());
+        }
+    }
+
+    private static boolean hasZero(String line) {
+        return line.indexOf('\0') >= 0;
+    }
+
+    private static MessageException wrongRow(String place, Message problem) {
+        return new MessageException(place, ResultsProblem.WRONG_ROW.with(problem), null);
+    }
+
     /**
-     * Throws an exception if a table begins with a complete header that is not the expected one: another program may
-     * have changed all rows. A killed process leaves an incomplete header.
+     * Throws an exception if a table begins with neither the expected header nor a part of it: another program may have
+     * changed all rows. A killed process leaves an incomplete header, and a crash of the machine zeros.
      */
     static void requireNoOther(String header, String given, Path file) throws IOException {
-        if (given.endsWith("\n") && !given.equals(header)) {
+        int zero = given.indexOf('\0');
+        String written = zero < 0 ? given : given.substring(0, zero);
+        boolean isBeginning = header.startsWith(written)
+                && given.chars().skip(written.length()).allMatch(c -> c == 0);
+        if (!isBeginning) {
             throw new IOException(file + ":1: this is not the header of the campaign; restore the table, or remove it");
         }
     }

@@ -393,7 +393,7 @@ class CampaignRunnerTest {
         CampaignFolder merged = new CampaignFolder(Files.createDirectory(folder.resolve("merged")));
         Files.writeString(merged.runs(), "another,table\n");
         IOException refusal = assertThrows(IOException.class, () -> new CampaignMerge(List.of(whole)).writeTo(merged));
-        assertTrue(refusal.getMessage().contains("is not the header of the campaign"), refusal.getMessage());
+        assertTrue(refusal.getMessage().contains("would replace or delete this file"), refusal.getMessage());
         assertEquals("another,table\n", Files.readString(merged.runs()));
         Files.write(merged.runs(), expected);
         new CampaignMerge(List.of(whole)).writeTo(merged);

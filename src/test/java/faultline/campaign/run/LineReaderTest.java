@@ -55,6 +55,27 @@ class LineReaderTest {
         }
     }
 
+    /** The block was written again after the crash, or before it out of order. */
+    @Test
+    void zerosOfACrashEndWithTheFileOrABlock() throws IOException {
+        String line = "run\n0,lo";
+        assertTrue(hasZerosOfCrash(line + "\0\0"));
+        assertTrue(hasZerosOfCrash(line + "\0".repeat(3 * LineReader.MAX_LENGTH)));
+        assertTrue(hasZerosOfCrash(line + "\0".repeat(512 - line.length()) + "st\n1,lo\0st\n"));
+        assertTrue(hasZerosOfCrash(line + "\0".repeat((1 << 22) - line.length()) + "\n"));
+        assertFalse(hasZerosOfCrash(line + "\0\n"));
+        assertFalse(hasZerosOfCrash(line + "\0".repeat(511 - line.length()) + "st\n"));
+        assertFalse(hasZerosOfCrash(line + "st\n"));
+    }
+
+    private boolean hasZerosOfCrash(String text) throws IOException {
+        try (LineReader in = new LineReader(Files.writeString(folder.resolve("a.csv"), text))) {
+            in.next();
+            in.next();
+            return in.hasZerosOfCrash();
+        }
+    }
+
     @Test
     void whatMayHaveNoEndIsRefused() {
         Path device = Path.of("/dev/zero");

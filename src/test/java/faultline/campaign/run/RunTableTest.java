@@ -99,9 +99,10 @@ class RunTableTest {
     }
 
     /** A spreadsheet may have saved the table with other line ends; its rows can take days to make. */
-    @Test
-    void aTableWithAnotherHeaderIsRefusedAndKept() throws IOException {
-        String changed = (HEADER + ROW).replace("\n", "\r\n");
+    @ParameterizedTest
+    @ValueSource(strings = {"\r\n", "\r"})
+    void aTableWithAnotherHeaderIsRefusedAndKept(String lineEnd) throws IOException {
+        String changed = (HEADER + ROW).replace("\n", lineEnd);
         Path file = Files.writeString(folder.resolve("runs.csv"), changed);
         IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 2));
         assertEquals(
@@ -119,12 +120,13 @@ class RunTableTest {
         assertEquals(good, Files.readString(timing));
     }
 
-    /** This part ends before run 3. */
-    @Test
-    void ofTheRowsOfAnEarlierProcessThoseOfThePartCount() throws IOException {
+    /** This part ends before run 3. Some editors leave an empty line at the end. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "\n", "\r\n\n", " ", "\0\0", "\n\0"})
+    void ofTheRowsOfAnEarlierProcessThoseThatFailedCount(String rest) throws IOException {
         Path file = folder.resolve("runs.csv");
         String good = HEADER + "0,broken,,\n1,lost,,1\n2,lost,,1\n";
-        Files.writeString(file, good + "3,broken,,\n");
+        Files.writeString(file, good + rest);
         Path timing = folder.resolve("timing.csv");
         String timed = TIMING_HEADER + "1,0.5,100,200\n2,0.5,100,200\n";
         Files.writeString(timing, timed + "3,0.5,100,200\n");
@@ -134,6 +136,17 @@ class RunTableTest {
         }
         assertEquals(good, Files.readString(file));
         assertEquals(timed, Files.readString(timing));
+    }
+
+    /** A table of other runs may have been appended, or the sums of the columns. */
+    @ParameterizedTest
+    @ValueSource(strings = {"1,broken,,\n", "3,lost,,1\n4,lost,,1\n", "sum,"})
+    void aTableWithMoreRowsThanRunsIsRefusedAndKept(String more) throws IOException {
+        String changed = HEADER + "1,lost,,1\n2,lost,,1\n\n" + more;
+        Path file = Files.writeString(folder.resolve("runs.csv"), changed);
+        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 1, 3));
+        assertEquals(file + ":5: there is a row after that of the last run; expected 2 rows", e.getMessage());
+        assertEquals(changed, Files.readString(file));
     }
 
     /** Rows can take days to make. */
@@ -156,22 +169,57 @@ class RunTableTest {
         assertEquals(changed, Files.readString(file));
     }
 
-    /** A crash of the machine leaves zeros where the rows were not yet on the disk. */
+    /** No crash leaves a single zero before other rows. */
     @ParameterizedTest
-    @ValueSource(strings = {"1,lost,,1", "1,lo", "\0\0\0\0,,1\n2,lost,,1\n", "1,lost\0\0\0\n"})
-    void anIncompleteRowEndsTheTable(String rest) throws IOException {
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1,lo~st,,1 | the row has a byte of zero",
+                "~,lost,,1 | the row has a byte of zero",
+                "1,lost,,#1 | the row is too long; expected at most 1 MiB"
+            })
+    void aTableWithARowThatNoProcessLeavesIsRefusedAndKept(String row, String problem) throws IOException {
+        String damaged = row.replace('~', '\0').replace("#", "1".repeat(LineReader.MAX_LENGTH));
+        String changed = HEADER + ROW + damaged + "\n2,lost,,1\n";
+        Path file = Files.writeString(folder.resolve("runs.csv"), changed);
+        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 9));
+        assertEquals(
+                file + ":3: " + problem
+                        + "; restore the table, or delete this row and those below to make their runs again",
+                e.getMessage());
+        assertEquals(changed, Files.readString(file));
+    }
+
+    /** Where blocks of the file were not yet on the disk, a crash of the machine leaves zeros. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1,lost,,1 | 0 |",
+                "1,lo | 0 |",
+                "1,lost | 60 |",
+                "1,lost,,1/ | 3000000 |",
+                "1,lost | 512 | t,,1/2,lost,,1/",
+                "1,lost,,1/ | 1536 | ,,1/4,lost,,1/",
+                "1,lo | 4096 | /2,lost,,1/"
+            })
+    void anIncompleteRowEndsTheTable(String written, int zerosEnd, String below) throws IOException {
         Path file = folder.resolve("runs.csv");
-        Files.writeString(file, HEADER + ROW + rest);
+        String before = HEADER + ROW + written.replace('/', '\n');
+        String after = below == null ? "" : below.replace('/', '\n');
+        Files.writeString(file, before + "\0".repeat(Math.max(0, zerosEnd - before.length())) + after);
+        long whole = written.endsWith("/") ? 2 : 1;
+        String rows = whole == 2 ? ROW + "1,lost,,1\n" : ROW;
         try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 9)) {
-            assertEquals(1, table.next());
-            table.add(new RunMaker.MadeRun(1, "1,stopped,,1\n", false, 100, 0.5));
+            assertEquals(whole, table.next());
+            table.add(new RunMaker.MadeRun(whole, whole + ",stopped,,1\n", false, 100, 0.5));
         }
-        assertEquals(HEADER + ROW + "1,stopped,,1\n", Files.readString(file));
+        assertEquals(HEADER + rows + whole + ",stopped,,1\n", Files.readString(file));
     }
 
     @Test
     void anIncompleteHeaderIsWrittenAgain() throws IOException {
-        Files.writeString(folder.resolve("runs.csv"), "run,outc");
+        Files.writeString(folder.resolve("runs.csv"), "run,outc\0\0");
         Files.writeString(folder.resolve("timing.csv"), "run,wal");
         new RunTable(new CampaignFolder(folder), HEADER, 0, 1).close();
         assertEquals(HEADER, Files.readString(folder.resolve("runs.csv")));
