@@ -107,26 +107,30 @@ public final class CampaignMerge {
         }
     }
 
-    /** Throws an exception if a part has no header: a part without runs may have been killed before it wrote one. */
+    /** Throws an exception if a part has no header: it may have been killed before it wrote one, or made its table. */
     private void requireWholeHeader(ShardFolder part) throws IOException {
         String header = ResultColumns.header(plan);
-        try (LineReader in = new LineReader(part.folder.runs())) {
-            String given = in.next();
-            RunTable.requireNoOther(header, given, part.folder.runs());
-            if (!given.equals(header)) {
-                throw new IOException(part.folder + ": part " + part.shard + " has no table; campaign with --shard "
-                        + part.shard + " --resume makes it");
-            }
+        String given = firstLine(part.folder.runs());
+        RunTable.requireNoOther(header, given, part.folder.runs());
+        if (!given.equals(header)) {
+            throw new IOException(part.folder + ": part " + part.shard + " has no table; campaign with --shard "
+                    + part.shard + " --resume makes it");
+        }
+    }
+
+    /** Returns the first line of a table, empty if there is no table. */
+    private static String firstLine(Path table) throws IOException {
+        if (Files.notExists(table)) {
+            return "";
+        }
+        try (LineReader in = new LineReader(table)) {
+            return in.next();
         }
     }
 
     /** Throws an exception if a table of times has another header. Its rows may be lost: they are of no result. */
     private static void requireTimingHeader(Path table) throws IOException {
-        if (Files.exists(table)) {
-            try (LineReader in = new LineReader(table)) {
-                RunTable.requireNoOther(RunTable.TIMING_HEADER, in.next(), table);
-            }
-        }
+        RunTable.requireNoOther(RunTable.TIMING_HEADER, firstLine(table), table);
     }
 
     /** Returns the tables that an interrupted merge of these parts has written; each is complete. */

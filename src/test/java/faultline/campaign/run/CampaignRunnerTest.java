@@ -372,6 +372,8 @@ class CampaignRunnerTest {
             Files.writeString(parts[0].runs(), beginning);
             cannotMerge(parts[0] + ": part 1/5 has no table; campaign with --shard 1/5 --resume makes it", parts);
         }
+        Files.delete(parts[0].runs());
+        cannotMerge(parts[0] + ": part 1/5 has no table; campaign with --shard 1/5 --resume makes it", parts);
         new CampaignRunner(SamplePlan.read(plan), parts[0], new Shard(1, 5), 1)
                 .run(true, (made, runs) -> {}, () -> false);
         new CampaignMerge(List.of(parts)).writeTo(new CampaignFolder(folder.resolve("merged")));
