@@ -192,9 +192,12 @@ public final class CampaignMerge {
                     if (complete) {
                         List<String> cells = Csv.cells(line.stripTrailing());
                         requireGood(names, cells, next, next - first, end - first);
+                        if (!in.isText()) {
+                            throw wrong(next - first, ResultsProblem.NOT_TEXT.with().toString());
+                        }
                         broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                     }
-                    write(line);
+                    out.write(in.bytes());
                     next++;
                 }
             }
@@ -219,10 +222,6 @@ public final class CampaignMerge {
         /** Returns an exception for a row, counted from 0 below the header. */
         private IOException wrong(long row, String problem) {
             return new IOException(file + ":" + (row + 2) + ": " + problem);
-        }
-
-        private void write(String line) throws IOException {
-            out.write(line.getBytes(StandardCharsets.UTF_8));
         }
     }
 }

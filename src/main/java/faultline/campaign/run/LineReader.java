@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 
 /**
  * Reads a file line by line. Lines include their line feed, so that an incomplete last line is recognised. A line
@@ -66,6 +67,16 @@ public final class LineReader implements Closeable {
     /** {@return whether the last line is too long to be a row of a table, so that it may be only a part of a line} */
     public boolean isTooLong() {
         return bytes.length > MAX_LENGTH;
+    }
+
+    /** Returns the bytes of the last line, which must not be changed. */
+    byte[] bytes() {
+        return bytes;
+    }
+
+    /** Returns whether the last line is UTF-8; in one that is not, other characters replace the wrong bytes. */
+    boolean isText() {
+        return Arrays.equals(new String(bytes, StandardCharsets.UTF_8).getBytes(StandardCharsets.UTF_8), bytes);
     }
 
     /** Returns the length of the last line, bytes. */

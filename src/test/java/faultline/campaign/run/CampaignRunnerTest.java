@@ -10,6 +10,7 @@ import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.Scenario;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -420,6 +421,22 @@ class CampaignRunnerTest {
         rows.set(2, rows.get(2).replaceFirst(",undecided,", ",undecidd,"));
         Files.write(two.runs(), rows);
         cannotMerge(two.runs() + ":3: outcome is \"undecidd\"; expected one of collided", one, two, three);
+    }
+
+    /** A spreadsheet may have saved it in the encoding of the system. */
+    @Test
+    void aRowThatIsNotUtf8IsNamedAndNotChanged() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = part(2);
+        CampaignFolder three = part(3);
+        String table = Files.readString(two.runs()).replaceFirst(",room,", ",r\u00f6\u00f6m,");
+        assertTrue(table.contains("r\u00f6\u00f6m"), table);
+        Files.writeString(two.runs(), table, StandardCharsets.ISO_8859_1);
+        cannotMerge(two.runs() + ":2: the file cannot be read as UTF-8 text", one, two, three);
+        Files.writeString(two.runs(), table);
+        CampaignFolder merged = new CampaignFolder(folder.resolve("merged"));
+        new CampaignMerge(List.of(one, two, three)).writeTo(merged);
+        assertTrue(Files.readString(merged.runs()).contains("r\u00f6\u00f6m"));
     }
 
     @Test

@@ -1,5 +1,6 @@
 package faultline.campaign.run;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -9,6 +10,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,6 +31,21 @@ class LineReaderTest {
             assertEquals("end", in.next());
             assertEquals("", in.next());
             assertFalse(in.isTooLong());
+        }
+    }
+
+    /** The last line contains the character that replaces wrong bytes. */
+    @Test
+    void aLineThatIsNotUtf8KeepsItsBytes() throws IOException {
+        byte[] latin = {'M', (byte) 0xFC, 'l', '\n'};
+        Path file = Files.write(folder.resolve("a.csv"), latin);
+        Files.writeString(file, "\u00fc\uFFFD\n", StandardOpenOption.APPEND);
+        try (LineReader in = new LineReader(file)) {
+            assertEquals("M\uFFFDl\n", in.next());
+            assertFalse(in.isText());
+            assertArrayEquals(latin, in.bytes());
+            in.next();
+            assertTrue(in.isText());
         }
     }
 
