@@ -79,13 +79,14 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Deletes the temporary files that killed processes have left in a folder.
+     * Deletes the temporary files that killed processes have left in a folder, also those that a process may just have
+     * left. Those that a process is writing, and those that cannot be deleted, stay.
      *
-     * @param folder a folder into which no process is writing
-     * @throws IOException if a file cannot be deleted
+     * @param folder the folder
+     * @throws IOException if the folder cannot be read
      */
     public static void deleteTemporaryFiles(Path folder) throws IOException {
-        TemporaryFile.deleteAll(folder);
+        TemporaryFile.deleteUnlocked(folder);
     }
 
     /** Deletes the temporary files of this process, which is about to be halted and writes no others. */

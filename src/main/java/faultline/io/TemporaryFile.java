@@ -235,14 +235,11 @@ final class TemporaryFile {
         return name.startsWith(PREFIX) && name.endsWith(SUFFIX);
     }
 
-    /** Deletes all temporary files in a folder, whatever their age. */
-    static void deleteAll(Path folder) throws IOException {
-        try (DirectoryStream<Path> files = list(folder)) {
-            for (Path file : files) {
-                if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
-                    Files.deleteIfExists(file);
-                }
-            }
+    /** Deletes the temporary files in a folder that no process has locked, whatever their age, as far as possible. */
+    static void deleteUnlocked(Path folder) throws IOException {
+        // The paths of the files of this process have no links.
+        try (DirectoryStream<Path> files = list(folder.toRealPath())) {
+            files.forEach(file -> deleteIfAbandoned(file, Long.MAX_VALUE));
         } catch (DirectoryIteratorException e) {
             throw e.getCause();
         }

@@ -249,8 +249,8 @@ public final class CampaignFolder {
     }
 
     /**
-     * Removes the temporary files of a killed process. The lock of this folder shows that no process writes them, so a
-     * file can be removed at any age.
+     * Removes the temporary files of a killed process at any age: the lock of this folder shows that no other campaign
+     * writes here. Reports and pictures that are being written stay.
      */
     private void removeTemporaryFiles() throws IOException {
         for (Path inside : List.of(folder, plan(), replays())) {

@@ -8,11 +8,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.campaign.plan.SamplePlan;
+import faultline.io.AtomicFile;
 import faultline.scenario.Scenario;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -193,6 +196,23 @@ class CampaignRunnerTest {
             assertTrue(Files.exists(folder.resolve(name).resolve(".faultline-notes")), name);
             assertTrue(Files.exists(folder.resolve(name).resolve(".other.tmp")), name);
         }
+    }
+
+    /** A report may be written to the folder of its campaign, also one that is reached by another path. */
+    @Test
+    void resumingKeepsTheTemporaryFilesThatAreBeingWritten() throws Exception {
+        runs(folder, Shard.ALL, 1, false);
+        Path report = folder.resolve("report.html");
+        Path locked = Files.createFile(folder.resolve("replays/.faultline-1.tmp"));
+        try (FileChannel channel = FileChannel.open(locked, StandardOpenOption.WRITE);
+                AtomicFile out = AtomicFile.create(report)) {
+            channel.lock();
+            out.stream().write("<p>".getBytes(StandardCharsets.UTF_8));
+            runs(folder.resolve("plan/.."), Shard.ALL, 1, true);
+            out.commit();
+        }
+        assertEquals("<p>", Files.readString(report));
+        assertTrue(Files.exists(locked));
     }
 
     @Test
