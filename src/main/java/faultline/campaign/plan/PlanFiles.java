@@ -85,7 +85,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static byte[] readScenario(Path folder, String name) throws ScenarioException {
         try {
-            return XmlFile.readBytes(folder.resolve(name).normalize(), Allowed.SCENARIO_FILE.with());
+            return XmlFile.readBytes(folder.resolve(name), Allowed.SCENARIO_FILE.with());
         } catch (InvalidPathException e) {
             return XmlFile.readBytes(folder, Allowed.SCENARIO_FILE.with());
         }
