@@ -34,6 +34,8 @@ public final class BuiltInChild {
     private final InputStream in;
     private final LineBuffer lines = new LineBuffer();
     private final OutputStream out;
+    /** The message that has begun another run, until that run reads it; otherwise null. */
+    private String nextHello;
 
     /**
      * Creates a child.
@@ -47,27 +49,42 @@ public final class BuiltInChild {
     }
 
     /**
-     * Answers until the end of the run or of the input, and closes the controller if it can be closed.
+     * Answers until the end of a run or of the input. Each {@code hello} begins a run with a new controller; that of
+     * the run before is closed if it can be closed.
      *
      * @param spec the controller
      * @throws IOException if a message cannot be read or written
      * @throws RunFailedException if the simulator violates the protocol, or the controller throws an exception
      */
     public void run(ControllerSpec spec) throws IOException {
+        try {
+            do {
+                answerRun(spec);
+            } while (nextHello != null);
+        } catch (ProtocolException e) {
+            throw new RunFailedException("the simulator " + e.getMessage(), e);
+        }
+    }
+
+    private void answerRun(ControllerSpec spec) throws IOException, ProtocolException {
         Controller controller = ControllerFactory.create(spec);
         Closeable closing = () -> ControllerFactory.close(controller, spec);
         try (closing) {
             answerAll(controller, ControllerNames.typeOf(spec));
-        } catch (ProtocolException e) {
-            throw new RunFailedException("the simulator " + e.getMessage(), e);
         }
+    }
+
+    private String readLine() throws IOException, ProtocolException {
+        String line = nextHello == null ? lines.read(in) : nextHello;
+        nextHello = null;
+        return line;
     }
 
     private void answerAll(Controller controller, String name) throws IOException, ProtocolException {
         RobotSpec robot = null;
         double dt = 0;
         long next = 0;
-        for (String line = lines.read(in); line != null; line = lines.read(in)) {
+        for (String line = readLine(); line != null; line = readLine()) {
             MessageReader message = MessageReader.of(line);
             String type = message.string("type");
             if (type.equals("end")) {
@@ -77,9 +94,12 @@ public final class BuiltInChild {
                 throw new ProtocolException(
                         "wrote a message", " of type " + MessageText.quoted(type) + "; expected hello, observe or end");
             }
+            if (type.equals("hello") && robot != null) {
+                nextHello = line;
+                return;
+            }
             if (type.equals("hello")) {
                 dt = checkHello(message);
-                next = 0;
             }
             if (message.has("robot")) {
                 robot = ProtocolMessages.readRobot(message.object("robot"));

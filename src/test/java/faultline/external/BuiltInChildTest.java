@@ -10,6 +10,7 @@ import faultline.control.Observation;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
+import faultline.sensor.Reading;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.net.URL;
@@ -17,6 +18,7 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -110,6 +112,26 @@ class BuiltInChildTest {
                 failureOf((hello + "\n" + observe + "\n").getBytes(StandardCharsets.UTF_8)));
     }
 
+    /** The wall ahead comes nearer, so that the follower turns, and is then away. */
+    @Test
+    void eachHelloBeginsARunThatKnowsNoOther() throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        StringBuilder run = new StringBuilder(ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1)));
+        double[] readings = new double[setup.robot().sensors().size()];
+        for (int tick = 0; tick < 250; tick++) {
+            Arrays.fill(readings, tick == 0 ? Reading.NOTHING : 0.7 - 0.002 * tick);
+            Observation observation = new Observation(tick, setup.dt(), setup.robot(), readings);
+            run.append('\n').append(ProtocolMessages.observe(observation, false).finish());
+        }
+        byte[] in = (run + "\n").repeat(2).getBytes(StandardCharsets.UTF_8);
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new BuiltInChild(new ByteArrayInputStream(in), out).run(setup.controller());
+        List<String> answers = out.toString(StandardCharsets.UTF_8).lines().toList();
+        assertEquals(502, answers.size());
+        assertEquals(answers.subList(0, 251), answers.subList(251, 502));
+        assertTrue(answers.get(250).contains("TURN"), answers.get(250));
+    }
+
     /** The window shows the name, so it must not be that of a state. */
     @Test
     void aControllerGivesItselfTheNameOfItsType() throws Exception {
@@ -154,8 +176,12 @@ class BuiltInChildTest {
         assertEquals(List.of(0L, 1L, 2L), simulator.answersBefore());
     }
 
-    /** Runs the child with a controller of a test against a simulator that sends observations up to a tick. */
     private void run(Map<String, String> settings, int lastTick) throws Exception {
+        run(settings, lastTick, 1);
+    }
+
+    /** Runs the child with a controller of a test against a simulator that sends observations up to a tick, in runs. */
+    private void run(Map<String, String> settings, int lastTick, int runs) throws Exception {
         SimulationSetup setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
         StringBuilder in = new StringBuilder(ProtocolMessages.hello(RunDescription.of("test", "Office", setup, 1)));
         double[] readings = new double[setup.robot().sensors().size()];
@@ -163,8 +189,8 @@ class BuiltInChildTest {
             Observation observation = new Observation(tick, setup.dt(), setup.robot(), readings);
             in.append('\n').append(ProtocolMessages.observe(observation, false).finish());
         }
-        BuiltInChild child = new BuiltInChild(
-                new ByteArrayInputStream(in.toString().getBytes(StandardCharsets.UTF_8)), new ByteArrayOutputStream());
+        byte[] all = (in + "\n").repeat(runs).getBytes(StandardCharsets.UTF_8);
+        BuiltInChild child = new BuiltInChild(new ByteArrayInputStream(all), new ByteArrayOutputStream());
         Path services = Files.createDirectories(folder.resolve("META-INF/services"));
         Files.writeString(services.resolve(ControllerProvider.class.getName()), RightTurner.class.getName());
         Thread thread = Thread.currentThread();
@@ -183,6 +209,8 @@ class BuiltInChildTest {
         int before = RightTurner.CLOSED.get();
         run(Map.of(), 3);
         assertEquals(before + 1, RightTurner.CLOSED.get());
+        run(Map.of(), 3, 2);
+        assertEquals(before + 3, RightTurner.CLOSED.get());
     }
 
     @Test
