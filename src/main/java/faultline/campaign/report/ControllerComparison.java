@@ -74,7 +74,7 @@ public final class ControllerComparison {
         List<String> cells = new ArrayList<>(
                 List.of(controller.controller(), "" + run.result().seed()));
         for (Metric metric : Metric.values()) {
-            cells.add(metric.of(run).isPresent() ? "" + metric.of(run).getAsDouble() : "");
+            metric.of(run).ifPresentOrElse(value -> cells.add(metric.cell(value)), () -> cells.add(""));
         }
         cells.addAll(List.of(run.result().finalState().name(), RunSummary.formatHash(run.result()), ""));
         return Csv.row(cells);

@@ -50,6 +50,11 @@ enum Metric {
         return DecimalText.formatFixed(number, decimals);
     }
 
+    /** Returns a value of a run as a cell of a table, in the same form on every machine; a collision is 1.0 or 0.0. */
+    String cell(double number) {
+        return this == COLLISION ? DecimalText.formatFixed(number, 1) : DecimalText.format(number);
+    }
+
     /** Returns the value for a run, empty if it has none. */
     OptionalDouble of(ControllerRuns.ComparedRun run) {
         return value.apply(run);

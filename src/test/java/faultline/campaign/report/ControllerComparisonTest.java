@@ -67,12 +67,13 @@ class ControllerComparisonTest {
         assertEquals(
                 """
                 controller,seed,coverage,distance_rms_m,collision,path_m,state,trajectory_hash,problem
-                own,7,,,0.0,1.0,SEARCH,%1$s,
+                own,7,,,0.0,1,SEARCH,%1$s,
                 own,8,,,,,,,"it ended, with ""exit"" code <5>"
-                another,7,,,0.0,3.0,SEARCH,%1$s,
+                another,7,,,0.0,0.00052,SEARCH,%1$s,
+                another,7,,,0.0,12345678.5,SEARCH,%1$s,
                 """
                         .formatted(hash),
-                comparison("Room", runs("own", BROKEN, 1), runs("another", List.of(), 3))
+                comparison("Room", runs("own", BROKEN, 1), runs("another", List.of(), 0.00052, 12_345_678.5))
                         .csv());
     }
 
