@@ -69,7 +69,8 @@ public final class CampaignFolder {
     }
 
     /**
-     * {@return the files of this campaign that exist, except the lock files}
+     * {@return the tables and the manifest of this campaign, which need not exist, and its other files except that of
+     * the lock}
      *
      * @throws IOException if the folder cannot be read
      */

@@ -124,7 +124,8 @@ final class BatchRun {
         plan = read;
     }
 
-    private Path results() {
+    /** Returns the folder of the tables. */
+    Path results() {
         return folder.resolve("results");
     }
 
@@ -161,7 +162,8 @@ final class BatchRun {
         Path part = target.resolveSibling(".faultline-" + UUID.randomUUID() + ".tmp");
         try {
             Files.createDirectories(part);
-            for (Path file : new CampaignFolder(results()).files()) {
+            List<Path> files = new CampaignFolder(results()).files();
+            for (Path file : files.stream().filter(Files::exists).toList()) {
                 Path copy = part.resolve(results().relativize(file).toString());
                 Files.createDirectories(copy.getParent());
                 Files.copy(file, copy);

@@ -321,6 +321,20 @@ class BatchRunTest {
                 Files.readAllBytes(folder.resolve("results/runs.csv")));
     }
 
+    /** Its rows are of no result. */
+    @Test
+    void resultsAreSavedWithoutTheTableOfTimes() throws Exception {
+        BatchRun run = new BatchRun(plan(DiagnosisChoice.SCENARIO, 2), 1);
+        run.make();
+        String table = Files.readString(run.results().resolve("runs.csv"));
+        Files.delete(run.results().resolve("timing.csv"));
+        Path saved = folder.resolve("results");
+        run.saveResults(saved);
+        run.delete();
+        assertEquals(table, Files.readString(saved.resolve("runs.csv")));
+        assertFalse(Files.exists(saved.resolve("timing.csv")));
+    }
+
     @Test
     void savingResultsLeavesOtherFilesAlone() throws Exception {
         BatchRun run = new BatchRun(plan(DiagnosisChoice.SCENARIO, 2), 1);
