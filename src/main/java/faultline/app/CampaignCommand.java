@@ -67,7 +67,7 @@ final class CampaignCommand {
         }
     }
 
-    /** Waits until the rows that are finished are on the disk, because the process ends after this. */
+    /** Waits until the rows in the table are on the disk, because the process ends after this. */
     private static void cancel(AtomicBoolean cancelled, CountDownLatch ended) {
         cancelled.set(true);
         try {

@@ -89,8 +89,9 @@ public final class CampaignRunner {
      *
      * @param resume whether the folder may contain a partial campaign
      * @param progress the listener, called for each row
-     * @param cancelled whether to stop; polled between runs and while waiting for one. If true, finished rows are
-     *     written, and the runs that are in progress are stopped and not written
+     * @param cancelled whether to stop; polled between runs and while waiting for one. If true, the rows reported so
+     *     far are written, and all other runs are stopped. Of these, some may have ended before the next one in the
+     *     table; they are made again when the campaign is resumed
      * @return the state of the table
      * @throws IOException if the folder cannot be used
      */

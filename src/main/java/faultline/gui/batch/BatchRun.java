@@ -98,7 +98,7 @@ final class BatchRun {
     }
 
     /**
-     * Makes the runs that have not been made; if the batch is cancelled, those that are finished are kept.
+     * Makes the runs that have not been made; if the batch is cancelled, the rows in the table are kept.
      *
      * @throws ScenarioException with everything that is wrong with the plan
      * @throws IOException if the temporary folder cannot be used
