@@ -26,6 +26,22 @@ public final class CampaignMerge {
     /** The manifest of a part. */
     private final CampaignManifest manifest;
 
+    /**
+     * A table of a campaign.
+     *
+     * @param file the function that returns its place in a folder
+     * @param header its first line
+     * @param complete whether it must have a good row for each run
+     */
+    private record MergedTable(Function<CampaignFolder, Path> file, String header, boolean complete) {
+
+        static final MergedTable TIMING = new MergedTable(CampaignFolder::timing, RunTable.TIMING_HEADER, false);
+
+        static MergedTable runs(CampaignPlan plan) {
+            return new MergedTable(CampaignFolder::runs, ResultColumns.header(plan), true);
+        }
+    }
+
     /** A folder that holds a part. */
     private record ShardFolder(CampaignFolder folder, Shard shard) {}
 
@@ -99,8 +115,8 @@ public final class CampaignMerge {
                 requireTimingHeader(part.folder.timing());
             }
             OtherFiles.requireNone(out, plan, mergedTables(out));
-            long broken = write(out.runs(), CampaignFolder::runs, true);
-            write(out.timing(), CampaignFolder::timing, false);
+            long broken = write(out, MergedTable.runs(plan));
+            write(out, MergedTable.TIMING);
             new WorstRuns(plan, out).writeReplays();
             out.writeMerged(plan, manifest);
             return new CampaignRunner.RunCounts(plan.runCount(), plan.runCount(), broken);
@@ -136,44 +152,42 @@ public final class CampaignMerge {
     /** Returns the tables that an interrupted merge of these parts has written; each is complete. */
     private Set<Path> mergedTables(CampaignFolder out) throws IOException {
         Set<Path> merged = new HashSet<>();
-        if (isMerged(out.runs(), CampaignFolder::runs, true)) {
-            merged.add(out.runs());
-        }
-        if (isMerged(out.timing(), CampaignFolder::timing, false)) {
-            merged.add(out.timing());
+        for (MergedTable table : List.of(MergedTable.runs(plan), MergedTable.TIMING)) {
+            Path file = table.file.apply(out);
+            if (Files.exists(file) && isMerged(file, table)) {
+                merged.add(file);
+            }
         }
         return merged;
     }
 
-    private boolean isMerged(Path file, Function<CampaignFolder, Path> table, boolean complete) throws IOException {
-        if (Files.notExists(file)) {
-            return false;
-        }
+    private boolean isMerged(Path file, MergedTable table) throws IOException {
         try (FileComparison comparison = new FileComparison(file)) {
-            concatenate(comparison, table, complete);
+            concatenate(comparison, table);
             return comparison.isEqual();
         }
     }
 
-    private long write(Path target, Function<CampaignFolder, Path> table, boolean complete) throws IOException {
-        try (AtomicFile out = AtomicFile.create(target)) {
-            long broken = concatenate(out.stream(), table, complete);
+    private long write(CampaignFolder target, MergedTable table) throws IOException {
+        try (AtomicFile out = AtomicFile.create(table.file.apply(target))) {
+            long broken = concatenate(out.stream(), table);
             out.commit();
             return broken;
         }
     }
 
-    private long concatenate(OutputStream out, Function<CampaignFolder, Path> table, boolean complete)
-            throws IOException {
+    /** Writes the tables of the parts, one below the other, and returns the number of runs that failed. */
+    private long concatenate(OutputStream out, MergedTable table) throws IOException {
         long broken = 0;
-        String header = complete ? ResultColumns.header(plan) : RunTable.TIMING_HEADER;
-        out.write(header.getBytes(StandardCharsets.UTF_8));
+        out.write(table.header.getBytes(StandardCharsets.UTF_8));
         for (ShardFolder part : parts) {
-            long first = part.shard.firstRun(plan.runCount());
-            long end = part.shard.endRun(plan.runCount());
-            Path file = table.apply(part.folder);
-            if (complete || Files.exists(file)) {
-                broken += new TableCopy(file, out).copy(first, end, complete, part);
+            Path file = table.file.apply(part.folder);
+            if (table.complete) {
+                long first = part.shard.firstRun(plan.runCount());
+                long end = part.shard.endRun(plan.runCount());
+                broken += new TableCopy(file, out).copyChecked(first, end, part);
+            } else if (Files.exists(file)) {
+                new TableCopy(file, out).copy();
             }
         }
         return broken;
@@ -182,26 +196,34 @@ public final class CampaignMerge {
     /** Copies the rows of one table. */
     private record TableCopy(Path file, OutputStream out) {
 
-        long copy(long first, long end, boolean complete, ShardFolder part) throws IOException {
+        void copy() throws IOException {
+            try (LineReader in = new LineReader(file)) {
+                in.next();
+                while (in.next().endsWith("\n")) {
+                    out.write(in.bytes());
+                }
+            }
+        }
+
+        /** Copies the rows of all runs of a part, and returns the number of those that failed. */
+        long copyChecked(long first, long end, ShardFolder part) throws IOException {
             long next = first;
             long broken = 0;
             try (LineReader in = new LineReader(file)) {
                 List<String> names = Csv.cells(in.next().strip());
                 int outcome = names.indexOf("outcome");
                 for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
-                    if (complete) {
-                        List<String> cells = Csv.cells(line.stripTrailing());
-                        requireGood(names, cells, next, next - first, end - first);
-                        if (!in.isText()) {
-                            throw wrong(next - first, ResultsProblem.NOT_TEXT.with().toString());
-                        }
-                        broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
+                    List<String> cells = Csv.cells(line.stripTrailing());
+                    requireGood(names, cells, next, next - first, end - first);
+                    if (!in.isText()) {
+                        throw wrong(next - first, ResultsProblem.NOT_TEXT.with().toString());
                     }
+                    broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                     out.write(in.bytes());
                     next++;
                 }
             }
-            if (complete && next != end) {
+            if (next != end) {
                 throw new IOException(part.folder + ": part " + part.shard + " has " + (next - first) + " of "
                         + (end - first) + " runs; campaign with --shard " + part.shard + " --resume makes the rest");
             }
