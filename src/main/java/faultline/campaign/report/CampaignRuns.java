@@ -52,10 +52,9 @@ final class CampaignRuns {
      *
      * @param header the names of the columns
      * @param rows the rows with a cell for each column
-     * @param damagedLine the line of the first other row, 0 if there is none or it is the last line
-     * @param damagedCells the number of cells of that row
+     * @param damagedCells the number of cells of the row below these; 0 if there is none or it is the last one
      */
-    private record ParsedTable(List<String> header, List<List<String>> rows, int damagedLine, int damagedCells) {
+    private record ParsedTable(List<String> header, List<List<String>> rows, int damagedCells) {
 
         /** Reads lines, of which the last one may be incomplete because it is still being written. */
         static ParsedTable of(Iterator<List<String>> lines) {
@@ -64,11 +63,11 @@ final class CampaignRuns {
             while (lines.hasNext()) {
                 List<String> cells = lines.next();
                 if (cells.size() != header.size()) {
-                    return new ParsedTable(header, rows, lines.hasNext() ? rows.size() + 2 : 0, cells.size());
+                    return new ParsedTable(header, rows, lines.hasNext() ? cells.size() : 0);
                 }
                 rows.add(cells);
             }
-            return new ParsedTable(header, rows, 0, 0);
+            return new ParsedTable(header, rows, 0);
         }
     }
 
@@ -127,10 +126,10 @@ final class CampaignRuns {
             Map<String, String> shared = new HashMap<>();
             ParsedTable parsed =
                     ParsedTable.of(in.lines().map(line -> cells(line, shared)).iterator());
-            if (parsed.damagedLine() > 0) {
+            if (parsed.damagedCells() > 0) {
                 throw wrong(
                         table,
-                        parsed.damagedLine(),
+                        parsed.rows().size() + 2,
                         RowCheck.cellCount(
                                 parsed.damagedCells(), parsed.header().size()));
             }
