@@ -113,16 +113,14 @@ public final class ControllerFactory {
         } catch (ExecutionException e) {
             throw notClosed(e.getCause());
         } catch (TimeoutException e) {
-            throw new RunFailedException(
-                    "the controller cannot be closed: " + ControllerThread.silence("close", timeout), e);
+            throw new RunFailedException(RunProblem.NOT_CLOSED.with(ControllerThread.silence("close", timeout)), e);
         }
     }
 
     /** Returns the exception for a failure of {@link PeriodicController#close}, whose cause is the controller's. */
     private static RunFailedException notClosed(Throwable failure) {
         return new RunFailedException(
-                "the controller cannot be closed: " + RunFailedException.describe(failure.getCause()),
-                failure.getCause());
+                RunProblem.NOT_CLOSED.with(RunFailedException.describe(failure.getCause())), failure.getCause());
     }
 
     private static Decision failNotChosen() {

@@ -5,6 +5,7 @@ import faultline.io.Message;
 import faultline.io.MessageText;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Thrown if a run cannot continue: its controller threw an exception or does not answer. The message is one sentence
@@ -16,6 +17,14 @@ public class RunFailedException extends RuntimeException {
 
     /** The greatest length of an exception of a controller as text, as of a line of a child's standard error. */
     private static final int MAX_LENGTH = 400;
+
+    /** The reasons whose cause is an exception of a controller, or of what loads, creates or closes it. */
+    private static final Set<RunProblem> OF_CONTROLLER = Set.of(
+            RunProblem.CONTROLLER_BROKE,
+            RunProblem.NOT_CREATED,
+            RunProblem.NOT_CLOSED,
+            RunProblem.NOT_LOADED,
+            RunProblem.NAMELESS);
 
     private final transient Message reason;
 
@@ -45,9 +54,9 @@ public class RunFailedException extends RuntimeException {
         return reason;
     }
 
-    /** {@return whether an exception of a controller, or of what creates it, is the cause} */
+    /** {@return whether an exception of a controller, or of what loads, creates or closes it, is the cause} */
     public final boolean isOfController() {
-        return reason.template() == RunProblem.CONTROLLER_BROKE || reason.template() == RunProblem.NOT_CREATED;
+        return reason.template() instanceof RunProblem problem && OF_CONTROLLER.contains(problem);
     }
 
     /**

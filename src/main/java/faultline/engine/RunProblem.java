@@ -24,6 +24,8 @@ public enum RunProblem implements Message.Template {
     NO_CONTROLLER("there is no controller \"{0}\""),
     /** A controller in Java cannot be created. */
     NOT_CREATED("the controller \"{0}\" cannot be created: {1}"),
+    /** A controller threw an exception when it was closed. */
+    NOT_CLOSED("the controller cannot be closed: {0}"),
     /** A class of a controller in Java cannot be loaded. */
     NOT_LOADED("a controller in Java cannot be loaded: {0}"),
     /** A class of a controller in Java does not exist. */

@@ -8,6 +8,7 @@ import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.Observation;
 import faultline.control.Telemetry;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -35,7 +36,7 @@ class ControllerMemoryTest {
     private final ClassLoader before = Thread.currentThread().getContextClassLoader();
     private URLClassLoader loader;
 
-    /** Asks for an array of the greatest length, which no virtual machine has, at tick 7 or when it is created. */
+    /** Asks for an array of the greatest length, which no virtual machine has: at tick 7, or when it is created. */
     public static final class Hoarder implements ControllerProvider {
         @Override
         public String name() {
@@ -47,14 +48,29 @@ class ControllerMemoryTest {
             if (settings.containsKey("early")) {
                 hoard();
             }
-            return observation -> {
-                double volts = observation.tick() == 7 ? hoard() : 1;
-                return new Decision(volts, volts, Telemetry.ofState(ControllerState.of("GO")));
-            };
+            return settings.containsKey("last") ? new LateHoarder() : Hoarder::decide;
+        }
+
+        private static Decision decide(Observation observation) {
+            double volts = observation.tick() == 7 ? hoard() : 1;
+            return new Decision(volts, volts, Telemetry.ofState(ControllerState.of("GO")));
         }
 
         private static int hoard() {
             return new int[Integer.MAX_VALUE].length;
+        }
+    }
+
+    /** Asks for such an array when it is closed. */
+    private static final class LateHoarder implements Controller, AutoCloseable {
+        @Override
+        public Decision decide(Observation observation) {
+            return Hoarder.decide(observation);
+        }
+
+        @Override
+        public void close() {
+            Hoarder.hoard();
         }
     }
 
@@ -105,6 +121,14 @@ class ControllerMemoryTest {
                 text.startsWith("faultline: the run broke: the controller \"" + NAME
                         + "\" cannot be created: java.lang.OutOfMemoryError: "),
                 text);
+    }
+
+    @Test
+    void aControllerThatCannotBeClosedIsNamed() throws Exception {
+        assertEquals(
+                "faultline: the run broke: the controller cannot be closed: "
+                        + "java.lang.OutOfMemoryError: Requested array size exceeds VM limit\n",
+                fail("run", scenario("last").toString(), "--until", "0.05"));
     }
 
     @Test

@@ -35,8 +35,11 @@ final class EditHistory {
     private int cursor;
 
     private final EditLog log = new EditLog();
-    /** The edits whose undo was refused since the last new edit. */
+    /** The edits whose undo was refused since the last new edit, or since all such edits have been tried again. */
     private final Set<Edit> refused = new HashSet<>();
+
+    /** The indices of edits before they were undone, because one whose undo is refused stays where it is. */
+    private final Map<Edit, Integer> places = new HashMap<>();
 
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
 
@@ -177,8 +180,19 @@ final class EditHistory {
                                         other -> other instanceof CommandEdit newer && command.isIndependentOf(newer));
     }
 
-    /** Records that the undo of an edit was refused, so that those before it can be undone. */
-    void passOver(CommandEdit edit) {
+    /**
+     * Records that the undo of an edit was refused, so that those before it can be undone. If it was refused before,
+     * all that were passed over have been tried, and the others are tried again after this one.
+     */
+    void undoRefused(CommandEdit edit) {
+        boolean isRetry = refused.contains(edit);
+        int place = places.getOrDefault(edit, cursor);
+        mark(edit, true);
+        int last = edits.indexOf(edit);
+        edits.add(Math.min(place, last), edits.remove(last));
+        if (isRetry) {
+            refused.clear();
+        }
         refused.add(edit);
     }
 
@@ -222,7 +236,12 @@ final class EditHistory {
 
     /** Makes an edit that is done the last such, or one that is undone the first such, if its state changes. */
     void mark(Edit edit, boolean done) {
-        refused.remove(edit);
+        if (done) {
+            refused.remove(edit);
+            places.remove(edit);
+        } else {
+            places.put(edit, edits.indexOf(edit));
+        }
         mark(edit, done, false);
     }
 
@@ -413,6 +432,7 @@ final class EditHistory {
 
     void clear() {
         refused.clear();
+        places.clear();
         log.clear();
         edits.clear();
         cursor = 0;

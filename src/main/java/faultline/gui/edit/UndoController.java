@@ -218,9 +218,10 @@ public final class UndoController {
             }
         } else if (results.isEmpty() || !results.stream().allMatch(UndoController::isAboutNothing)) {
             // The world refused the command, or the run has died, so the edit does not change.
-            history.mark(edit, !done);
-            if (!done && !results.isEmpty()) {
-                history.passOver(edit);
+            if (done || results.isEmpty()) {
+                history.mark(edit, !done);
+            } else {
+                history.undoRefused(edit);
             }
             onStateChange.run();
             return;

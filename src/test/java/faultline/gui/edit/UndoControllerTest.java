@@ -464,6 +464,31 @@ class UndoControllerTest {
     }
 
     @Test
+    void editsWhoseUndoIsRefusedAreTriedInTurn() {
+        runOnEdt(() -> {
+            sender.send(new Command.PlaceObstacle(
+                    new Obstacle("pole", new ObstacleShape.CircleShape(0.1), new Pose(3.5, 2, 0))));
+            sender.send(new Command.RemoveObstacle("desk"));
+            sender.send(new Command.RemoveObstacle("pole"));
+        });
+        longRobot(true);
+        List<Optional<String>> names = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            names.add(undoName());
+            runOnEdt(controller::undo);
+        }
+        Optional<String> pole = Optional.of("Delete pole");
+        Optional<String> desk = Optional.of("Delete desk");
+        assertEquals(List.of(pole, desk, pole, desk), names);
+        longRobot(false);
+        runOnEdt(controller::undo);
+        runOnEdt(controller::undo);
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+        assertEquals(Optional.empty(), undoName());
+    }
+
+    @Test
     void anEditOfTheSameObstacleWaitsForTheOneWhoseUndoIsRefused() {
         runOnEdt(() -> {
             sender.send(addLamp());
