@@ -158,7 +158,7 @@ public final class BatchActions {
                 : "";
         List<Path> kept = jars.isEmpty() ? controllers.jars() : jars;
         files.runIfChangesHandled(() -> {
-            controllers.select(new ControllerChoice(name, kept));
+            controllers.selectForOpening(new ControllerChoice(name, kept));
             files.openGeneratedWithoutAsking(run, () -> {
                 hide(dialog);
                 // Opening removes the notes about the scenario before.

@@ -50,8 +50,10 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     private ControllerChoice next = ControllerChoice.SCENARIO;
     /** The controller of the session. */
     private ControllerChoice started = ControllerChoice.SCENARIO;
-    /** Whether no session has started yet since the user chose a controller. */
-    private boolean untried;
+    /** Returns to the controller before the last choice; null if it was for good, or a session has started since. */
+    private Runnable restore;
+    /** Whether the controller of the last task has been given up with it. */
+    private boolean givenUp;
 
     private ControllerChoice ghostChoice = ControllerChoice.SCENARIO;
     /** Whether the ghost starts with the next session. */
@@ -125,21 +127,44 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     /** Restarts the run with a controller, which is also that of later runs if it can be started. */
     void tryOut(ControllerChoice chosen) {
-        select(chosen);
-        untried = true;
+        selectUnlessGivenUp(chosen, chosen);
         runController.restart();
     }
 
-    /** Selects the controller of the next session and all later ones. */
-    public void select(ControllerChoice chosen) {
+    /** Selects the controller of a scenario that is opened now, and of all later sessions if that succeeds. */
+    public void selectForOpening(ControllerChoice chosen) {
+        selectUnlessGivenUp(chosen, choice);
+    }
+
+    /**
+     * Selects the controller of the next session and all later ones. If there is no next session, the one before is
+     * selected again; the dialog then shows {@code shownOtherwise}.
+     */
+    private void selectUnlessGivenUp(ControllerChoice chosen, ControllerChoice shownOtherwise) {
+        Runnable earlier = restore == null ? () -> {} : restore;
+        ControllerChoice before = next;
+        Runnable inWorkspace = use(chosen);
         choice = chosen;
-        untried = false;
+        restore = () -> {
+            next = before;
+            inWorkspace.run();
+            earlier.run();
+            choice = shownOtherwise;
+        };
+    }
+
+    /** Selects the controller of the next session and all later ones. */
+    void select(ControllerChoice chosen) {
+        choice = chosen;
+        restore = null;
+        givenUp = false;
         use(chosen);
     }
 
-    private void use(ControllerChoice chosen) {
+    /** Uses a controller for the next session and all later ones; returns what uses the one before again. */
+    private Runnable use(ControllerChoice chosen) {
         next = chosen;
-        workspace.setControllerChoice((setup, scenarioName) -> {
+        return workspace.setControllerChoice((setup, scenarioName) -> {
             assert !EventQueue.isDispatchThread();
             return chosen.applyTo(setup, scenarioName, errorLines.forNewController());
         });
@@ -155,11 +180,11 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     }
 
     /**
-     * Called when a scenario could not be opened. If the chosen controller could not be started, this opens the
-     * scenario with its own controller instead and returns true; the dialog still shows the choice.
+     * Called when a scenario could not be opened. If the controller of all sessions could not be started, this opens
+     * the scenario with its own controller instead and returns true; the dialog still shows the choice.
      */
     public boolean openFailed(Throwable cause) {
-        if (cause instanceof RunFailedException && !next.isScenarioDefault()) {
+        if (cause instanceof RunFailedException && !givenUp && !next.isScenarioDefault()) {
             use(ControllerChoice.SCENARIO);
             workspace.retry();
             return true;
@@ -171,16 +196,17 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     /** With a controller that cannot be started, no scenario could be opened; the dialog still shows it. */
     @Override
     public void taskFinished() {
-        if (untried) {
-            untried = false;
-            use(started);
+        givenUp = restore != null;
+        if (givenUp) {
+            restore.run();
+            restore = null;
         }
     }
 
     @Override
     public void sessionStarted() {
         errorLines.controllerStarted();
-        untried = false;
+        restore = null;
         ControllerChoice before = started;
         started = workspace.keepsController() ? ControllerChoice.SCENARIO : next;
         scenarioController.setEnabled(!started.isScenarioDefault());

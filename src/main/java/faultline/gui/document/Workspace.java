@@ -76,11 +76,18 @@ public final class Workspace implements AutoCloseable {
 
     /**
      * Sets the function that replaces the scenario's controller in the next session and all later ones. The scenario
-     * itself does not change. Saved runs that are opened after the next session keep their own controller.
+     * itself does not change. Saved runs that are opened after the next session keep their own controller. Returns what
+     * sets the function before it again.
      */
-    public void setControllerChoice(BiFunction<SimulationSetup, String, SimulationSetup> choice) {
+    public Runnable setControllerChoice(BiFunction<SimulationSetup, String, SimulationSetup> choice) {
+        BiFunction<SimulationSetup, String, SimulationSetup> before = controllerChoice;
+        boolean tried = choiceTried;
         controllerChoice = choice;
         choiceTried = false;
+        return () -> {
+            controllerChoice = before;
+            choiceTried = tried;
+        };
     }
 
     /** Returns whether the open scenario is a saved run that keeps its own controller. */

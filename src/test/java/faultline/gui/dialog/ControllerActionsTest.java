@@ -25,6 +25,7 @@ import faultline.gui.settings.WindowPreferences;
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -125,6 +126,61 @@ class ControllerActionsTest {
                 () -> failures.size() > 1
                         || workspace.scenario().orElseThrow().name().equals("Cable"));
         assertEquals(List.of(TaskKind.RESTART), callOnEdt(() -> List.copyOf(failures)));
+    }
+
+    /** Opens a scenario with a controller of its own; that is cancelled, or the controller cannot be started. */
+    private void openInVain(ControllerChoice own, Runnable then) throws Exception {
+        Scenario other = Scenario.load(CABLE);
+        runOnEdt(() -> {
+            controllers.selectForOpening(own);
+            store.openGenerated(other, () -> {});
+            then.run();
+        });
+        BackgroundThreads.awaitEnd();
+        runOnEdt(() -> {});
+        assertEquals(
+                "Office", callOnEdt(() -> workspace.scenario().orElseThrow().name()));
+    }
+
+    /** The run of a batch is opened with the controller that made it. */
+    @Test
+    void aCancelledOpenLeavesTheControllerOfTheOpenRun(@TempDir Path folder) throws Exception {
+        List<Path> jars = List.of(folder.resolve("mine.jar"));
+        runOnEdt(() -> controllers.tryOut(ControllerChoice.of("none")));
+        awaitSession(2);
+        openInVain(new ControllerChoice("", jars), workspace::cancelTask);
+        assertEquals(List.of(), callOnEdt(controllers::jars));
+        runOnEdt(run::restart);
+        awaitSession(3);
+        assertEquals("none", callOnEdt(controllers::chosenText));
+    }
+
+    @Test
+    void anOpenThatFailsLeavesTheControllerOfTheOpenRun() throws Exception {
+        runOnEdt(() -> controllers.tryOut(ControllerChoice.of("none")));
+        awaitSession(2);
+        openInVain(MISSING, () -> {});
+        assertEquals(List.of(TaskKind.OPEN), callOnEdt(() -> List.copyOf(failures)));
+        assertFalse(opensWithoutChoice);
+        runOnEdt(run::restart);
+        awaitSession(3);
+        assertEquals("none", callOnEdt(controllers::chosenText));
+    }
+
+    @Test
+    void aScenarioThatIsOpenedWithItsControllerKeepsIt() throws Exception {
+        Scenario other = Scenario.load(CABLE);
+        runOnEdt(() -> controllers.tryOut(ControllerChoice.of("none")));
+        awaitSession(2);
+        runOnEdt(() -> {
+            controllers.selectForOpening(ControllerChoice.of("wall-follower"));
+            store.openGenerated(other, () -> {});
+        });
+        awaitSession(3);
+        runOnEdt(workspace::cancelTask);
+        runOnEdt(run::restart);
+        awaitSession(4);
+        assertEquals("wall-follower", callOnEdt(controllers::chosenText));
     }
 
     @ParameterizedTest
