@@ -2,7 +2,6 @@ package faultline.gui.batch;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
-import faultline.campaign.plan.FactorKind;
 import faultline.campaign.report.CampaignCell;
 import faultline.campaign.report.Survival;
 import faultline.campaign.run.ResultColumns;
@@ -53,17 +52,11 @@ final class BatchResults {
         ResultColumns.of(plan).forEach(column -> columns.put(column.name(), columns.size()));
         shownColumns = Stream.of(
                         plan.worldCount() > 1 ? Stream.of("run", "world", "seed") : Stream.of("run", "seed"),
-                        plan.factors().stream().flatMap(BatchResults::shownColumns),
+                        plan.factors().stream()
+                                .flatMap(factor -> factor.columns().stream().map(Column::name)),
                         RUN_COLUMNS.stream())
                 .flatMap(names -> names)
                 .toList();
-    }
-
-    /** Returns the columns of a factor without the end of faults, which batches do not have. */
-    private static Stream<String> shownColumns(CampaignPlan.FactorSummary factor) {
-        return factor.columns().stream()
-                .map(Column::name)
-                .filter(name -> factor.kind() != FactorKind.FAULTS || !name.endsWith("_end_s"));
     }
 
     CampaignPlan plan() {

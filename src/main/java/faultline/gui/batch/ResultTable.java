@@ -47,6 +47,9 @@ final class ResultTable extends RowTable {
     /** The columns of what does not happen in every batch. They take no room before. */
     private static final Set<String> OCCASIONAL = Set.of("collision_time_s", "detection_delay_s", "failure");
 
+    /** The end of the name of the column of the ends of faults, which not every fault has. */
+    private static final String FAULT_END = "_end_s";
+
     /** The columns of texts before there are any; all others with texts and no numbers are columns of texts, too. */
     private static final Set<String> TEXTS =
             Set.of("world", "fault_kind", "fault_sensor", "controller_diagnosis", "outcome", HASH, "failure");
@@ -131,7 +134,7 @@ final class ResultTable extends RowTable {
         CopyableRows.install(this);
         setHeadingRenderers();
         for (int column = 0; column < columns.size(); column++) {
-            if (OCCASIONAL.contains(columns.get(column))) {
+            if (OCCASIONAL.contains(columns.get(column)) || columns.get(column).endsWith(FAULT_END)) {
                 hidden.add(getColumnModel().getColumn(column));
             }
         }

@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.Column;
 import faultline.campaign.plan.SamplePlan;
 import faultline.campaign.report.CampaignCell;
+import faultline.campaign.run.ResultColumns;
 import faultline.gui.ComponentFinder;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
@@ -17,6 +19,7 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -91,29 +94,39 @@ class ResultTabsTest {
                 cells.stream().map(CampaignCell::labels).toList());
     }
 
+    /** The faults of a batch have no end; those of a campaign may differ in nothing else. */
     @Test
-    void theTableOfRunsLacksOnlyTheEndOfFaults() throws Exception {
+    void theEndOfFaultsShowsAsSoonAsAFaultHasOne() throws Exception {
         CampaignPlan plan = SamplePlan.read(
                 SamplePlan.text(
                         "",
                         """
                 <worlds><scenario file="a.xml"/></worlds>
                 <set attribute="@duration" value="3 4" name="extend_s"/>
-                <set attribute="@tick" value="0.01 0.02" name="week_end_s"/>
-                <faults><healthy/><fault kind="stuck" sensor="left" value="0.3" at="1" until="2"/></faults>
+                <faults><healthy/><fault kind="stuck" sensor="left" value="0.3" at="1" lasts="1 2"/></faults>
                 """));
-        assertEquals(
-                List.of(
-                        "run",
-                        "seed",
-                        "extend_s",
-                        "week_end_s",
-                        "fault_kind",
-                        "fault_sensor",
-                        "fault_value",
-                        "fault_onset_s"),
-                new BatchResults(plan).runColumns().subList(0, 8));
-        assertFalse(new BatchResults(plan).runColumns().contains("fault_end_s"));
+        List<String> header = ResultColumns.of(plan).stream().map(Column::name).toList();
+        runOnEdt(() -> {
+            BatchResults results = new BatchResults(plan);
+            ResultTabs shown = new ResultTabs(tabs, results, row -> {});
+            List<String> columns = List.of("extend_s", "fault_kind", "fault_sensor", "fault_value", "fault_onset_s");
+            assertEquals(columns, results.runColumns().subList(2, 7));
+            results.add(row(header, "0", ""));
+            shown.update(List.of());
+            assertEquals("Outcome", table(1).getColumnName(7));
+            results.add(row(header, "1", "2.0"));
+            shown.update(List.of());
+            assertEquals("End, s", table(1).getColumnName(7));
+            assertEquals("2.0", String.valueOf(table(1).getValueAt(1, 7)));
+        });
+    }
+
+    /** Returns a row with a number and an end of a fault. */
+    private static List<String> row(List<String> header, String run, String end) {
+        List<String> row = new ArrayList<>(Collections.nCopies(header.size(), ""));
+        row.set(0, run);
+        row.set(header.indexOf("fault_end_s"), end);
+        return row;
     }
 
     /** Shows the results of all runs that a batch has made. */
