@@ -177,6 +177,7 @@ final class BatchDialog extends RunsDialog {
             return;
         }
         update();
+        resultTabsOrNull().keepRows((int) result.made());
         stopped = !result.isComplete();
         stopProgress();
         endText = () -> BatchProgressPanel.endText(result, ended.completion().seconds(), ended.repeatCount());
@@ -215,11 +216,10 @@ final class BatchDialog extends RunsDialog {
         }
         BatchResults results = resultsOrNull();
         if (results != null) {
-            int before = results.size();
             for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
-                results.add(row);
+                resultTabsOrNull().add(row);
+                saved = false;
             }
-            saved = saved && results.size() == before;
             resultTabsOrNull().update(run.cells());
             progress().show(run.completion(), run.progress().isActive());
         }

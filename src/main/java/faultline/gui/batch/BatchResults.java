@@ -69,6 +69,13 @@ final class BatchResults {
         rows.add(cells);
     }
 
+    /** Removes all rows but the first ones. */
+    void keepRows(int count) {
+        rows.subList(count, rows.size()).clear();
+        rowsByRun.values().removeIf(row -> row >= count);
+        numbers.clear();
+    }
+
     /** Returns the number of the run of a row. The runs of a part of a campaign do not begin at 0. */
     long run(int row) {
         return Long.parseLong(rows.get(row).get(0));

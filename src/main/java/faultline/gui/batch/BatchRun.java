@@ -92,7 +92,10 @@ final class BatchRun {
         return repeatCount;
     }
 
-    /** Returns the next row that has not been taken yet, as its cells; null if there is none now. */
+    /**
+     * Returns the next row that has not been taken yet, as its cells; null if there is none now. If its run had a row
+     * before, that one and all behind it were not in the table when the batch was continued.
+     */
     List<String> takeRow() {
         return newRows.poll();
     }
@@ -110,6 +113,7 @@ final class BatchRun {
         }
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(results()), Shard.ALL, jobs);
         CampaignRunner.RunCounts result = runner.run(resume, new RowCollector(), () -> !progress.isActive());
+        keepRows(result.made());
         cells = BatchResults.cellsOf(plan, lines);
         repeatCount = CampaignCell.repeatCount(plan, lines);
         return result;
@@ -124,6 +128,13 @@ final class BatchRun {
         plan = read;
     }
 
+    /** Forgets all rows but the first ones. After a disk was full, for example, rows can be missing in the table. */
+    private void keepRows(long count) {
+        if (count < lines.size() - 1) {
+            lines.subList((int) count + 1, lines.size()).clear();
+        }
+    }
+
     /** Returns the folder of the tables. */
     Path results() {
         return folder.resolve("results");
@@ -136,6 +147,7 @@ final class BatchRun {
 
         @Override
         public void rowAdded(List<String> cells) {
+            keepRows(Long.parseLong(cells.get(0)));
             lines.add(cells);
             newRows.add(cells);
         }

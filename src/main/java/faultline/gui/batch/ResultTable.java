@@ -61,7 +61,7 @@ final class ResultTable extends RowTable {
     /** Whether headings are broken into lines and the hash is cut, because the table lacks room. */
     private boolean compact;
 
-    /** The rows of a table; they are only added and replaced. */
+    /** The rows of a table. */
     private static final class Model extends AbstractTableModel {
         private final List<String> columns;
         private final List<List<ResultCell>> rows = new ArrayList<>();
@@ -246,17 +246,33 @@ final class ResultTable extends RowTable {
         }
     }
 
-    /** Replaces the rows by as many or more; the selection stays. */
+    /** Replaces all rows; the selection stays. */
     void setRows(List<List<ResultCell>> rows) {
-        int known = model.rows.size();
-        rows.forEach(model::examine);
-        for (int i = 0; i < known; i++) {
-            model.rows.set(i, rows.get(i));
-        }
+        keepRows(Math.min(rows.size(), allRowCount()));
+        setRows(0, rows);
+    }
+
+    /** Sets the rows from an index on, which may be the number of rows, and leaves those behind them as they are. */
+    void setRows(int first, List<List<ResultCell>> rows) {
+        int known = Math.min(rows.size(), allRowCount() - first);
         if (known > 0) {
-            model.fireTableRowsUpdated(0, known - 1);
+            List<List<ResultCell>> replaced = rows.subList(0, known);
+            replaced.forEach(model::examine);
+            for (int i = 0; i < known; i++) {
+                model.rows.set(first + i, replaced.get(i));
+            }
+            model.fireTableRowsUpdated(first, first + known - 1);
         }
         addRows(rows.subList(known, rows.size()));
+    }
+
+    /** Removes all rows but the first ones. */
+    void keepRows(int count) {
+        int before = allRowCount();
+        if (count < before) {
+            model.rows.subList(count, before).clear();
+            model.fireTableRowsDeleted(count, before - 1);
+        }
     }
 
     /** Shows only some rows, given by their indices in the order in which they were added. */

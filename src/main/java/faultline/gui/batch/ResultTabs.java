@@ -84,6 +84,23 @@ final class ResultTabs {
         }
     }
 
+    /**
+     * Adds a row to the results, which shows with the next update. If its run has a row, the runs from that one on are
+     * made a second time, and their rows are removed.
+     */
+    void add(List<String> row) {
+        results.firstRow(List.of(Long.parseLong(row.get(0)))).ifPresent(this::keepRows);
+        results.add(row);
+    }
+
+    /** Removes all rows of runs but the first ones. */
+    void keepRows(int count) {
+        if (count < results.size()) {
+            results.keepRows(count);
+            runTable.keepRows(count);
+        }
+    }
+
     private void addTab(String key, JComponent view) {
         UiText.addTab(tabs, key, view);
     }

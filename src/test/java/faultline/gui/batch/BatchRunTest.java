@@ -30,12 +30,15 @@ import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.SensorSpec;
 import faultline.world.WorldSpec;
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -333,6 +336,29 @@ class BatchRunTest {
         run.delete();
         assertEquals(table, Files.readString(saved.resolve("runs.csv")));
         assertFalse(Files.exists(saved.resolve("timing.csv")));
+    }
+
+    /** Rows that a full disk did not take, for example, are not in the table. */
+    @Test
+    void runsThatTheTableLacksAreMadeAgainAndCountOnce() throws Exception {
+        BatchPlan plan = new BatchPlan(
+                editedYard(), 31, 2, 2, false, DiagnosisChoice.OFF, true, FAULTS, "1", List.of("left"));
+        BatchRun whole = new BatchRun(plan, 1);
+        whole.make();
+        whole.delete();
+        BatchRun run = new BatchRun(plan, 1);
+        run.make();
+        Files.delete(run.results().resolve("runs.csv"));
+        run.prepareToContinue();
+        assertEquals(new CampaignRunner.RunCounts(10, 10, 0), run.make());
+        assertEquals(whole.cells(), run.cells());
+        assertEquals(whole.repeatCount(), run.repeatCount());
+        Files.delete(run.results().resolve("runs.csv"));
+        run.prepareToContinue();
+        run.progress().cancel();
+        assertEquals(new CampaignRunner.RunCounts(0, 10, 0), run.make());
+        assertTrue(run.cells().stream().allMatch(cell -> cell.runs().isEmpty()));
+        run.delete();
     }
 
     @Test

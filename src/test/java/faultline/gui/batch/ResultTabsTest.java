@@ -205,6 +205,37 @@ class ResultTabsTest {
         assertEquals(Integer.toString(count - 1), callOnEdt(() -> String.valueOf(runs.getValueAt(count - 1, 0))));
     }
 
+    /** A batch is continued whose table lacks its last rows. */
+    @Test
+    void aRunThatIsMadeAgainReplacesItsRowAndThoseBehindIt() throws Exception {
+        BatchRun run = twoRuns();
+        List<String> row = run.takeRow();
+        run.delete();
+        CampaignCell cell = run.cells().get(0);
+        runOnEdt(() -> {
+            BatchResults results = new BatchResults(run.planOrNull());
+            ResultTabs shown = new ResultTabs(tabs, results, index -> {});
+            for (int i : new int[] {0, 1, 2, 3}) {
+                shown.add(withNumber(row, i));
+            }
+            shown.update(List.of(cell, withRuns(cell, List.of(3L))));
+            table(0).setRowSelectionInterval(1, 1);
+            assertEquals(1, table(1).getRowCount());
+            shown.add(withNumber(row, 1));
+            shown.update(List.of(cell));
+            assertEquals(List.of(0L, 1L), List.copyOf(results.runs()));
+            assertEquals(1, table(0).getRowCount());
+            assertEquals(2, table(1).getRowCount());
+            assertEquals(2, results.numbers("run", results.runs()).length);
+        });
+    }
+
+    private static List<String> withNumber(List<String> row, int number) {
+        List<String> next = new ArrayList<>(row);
+        next.set(0, Integer.toString(number));
+        return next;
+    }
+
     private static CampaignCell withRuns(CampaignCell cell, List<Long> runs) {
         return new CampaignCell(
                 cell.labels(),
