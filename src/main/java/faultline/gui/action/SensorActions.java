@@ -60,11 +60,20 @@ public final class SensorActions {
             boolean present = i < ids.size();
             action.setEnabled(present);
             action.setOn(present && sensors.get(i).on());
-            if (present && !ids.equals(namedIds)) {
-                action.rename(action.key() + ".of", ids.get(i));
+            if (!ids.equals(namedIds)) {
+                rename(action, present ? ids.get(i) : null);
             }
         }
         namedIds = ids;
+    }
+
+    /** Names a switch after its sensor, or with its number if there is none. */
+    private static void rename(UiAction action, String sensorOrNull) {
+        if (sensorOrNull == null) {
+            action.rename(action.key());
+        } else {
+            action.rename(action.key() + ".of", sensorOrNull);
+        }
     }
 
     /** Adds a sensor that faces the widest gap between the others, and selects it. */

@@ -45,6 +45,20 @@ class SensorActionsTest {
         });
     }
 
+    /** The first item stays in the menu without a sensor. */
+    @Test
+    void aSwitchWithoutASensorNamesNone() {
+        runOnEdt(() -> {
+            addActions();
+            sender.pendingEdits().setRobot(RobotSpec.DEFAULT);
+            sensors.update();
+            assertEquals("Sensor 1: front", actions.get("sensor1").name());
+            sender.pendingEdits().setRobot(RobotSpec.DEFAULT.withSensors(List.of()));
+            sensors.update();
+            assertEquals("Sensor 1", actions.get("sensor1").name());
+        });
+    }
+
     @Test
     void aSwitchTurnsItsSensorOffAtOnce() {
         runOnEdt(() -> {
