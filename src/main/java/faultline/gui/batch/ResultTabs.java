@@ -1,6 +1,8 @@
 package faultline.gui.batch;
 
 import faultline.campaign.report.CampaignCell;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
@@ -26,7 +28,7 @@ import javax.swing.event.ListSelectionEvent;
  */
 final class ResultTabs {
 
-    /** The number of rows of runs that are added at a time. */
+    /** The number of rows of runs that are set at a time. */
     static final int BLOCK = 2000;
 
     private final JTabbedPane tabs;
@@ -37,8 +39,12 @@ final class ResultTabs {
     private final List<ShownRunsBar> bars;
     private final int firstTab;
     private List<CampaignCell> cells = List.of();
-    /** Whether more rows of runs will be added when other events have been handled. */
-    private boolean addingRows;
+    /** Whether more rows of runs will be set when other events have been handled. */
+    private boolean settingRows;
+    /** The number of rows of runs in the current language; these are the first ones. */
+    private int currentRows;
+    /** The language of these rows. */
+    private Language language = Messages.language();
 
     /** The runs of the selected cell, which their table shows; null for all. */
     private Set<Long> shownRuns;
@@ -62,10 +68,7 @@ final class ResultTabs {
         addTab("batch.tab.runs", (JComponent) bars.get(0).getParent());
         addTab("batch.tab.histogram", (JComponent) bars.get(1).getParent());
         histogram.update();
-        RefreshSteps.add(runTable, table -> table.setRows(runRows(0, table.allRowCount())));
-        RefreshSteps.add(
-                cellTable,
-                table -> table.setRows(cells.stream().map(results::cellRow).toList()));
+        RefreshSteps.add(runTable, table -> translateRows());
     }
 
     /** Returns rows of runs, in the current language. */
@@ -73,14 +76,26 @@ final class ResultTabs {
         return IntStream.range(first, end).mapToObj(results::runRow).toList();
     }
 
-    /** Adds the next rows of runs, and the others when other events have been handled, because they may be many. */
-    private void addRows() {
-        int first = runTable.allRowCount();
-        int end = Math.min(results.size(), first + BLOCK);
-        runTable.addRows(runRows(first, end));
-        addingRows = end < results.size();
-        if (addingRows) {
-            EventQueue.invokeLater(this::addRows);
+    /** Sets the next rows of runs, and the others when other events have been handled, because they may be many. */
+    private void setNextRows() {
+        int end = Math.min(results.size(), currentRows + BLOCK);
+        runTable.setRows(currentRows, runRows(currentRows, end));
+        currentRows = end;
+        settingRows = end < results.size();
+        if (settingRows) {
+            EventQueue.invokeLater(this::setNextRows);
+        }
+    }
+
+    /** Sets all rows again if the language has changed. Their texts do not depend on the theme. */
+    private void translateRows() {
+        if (language != Messages.language()) {
+            language = Messages.language();
+            cellTable.setRows(cells.stream().map(results::cellRow).toList());
+            currentRows = 0;
+            if (!settingRows) {
+                setNextRows();
+            }
         }
     }
 
@@ -98,6 +113,7 @@ final class ResultTabs {
         if (count < results.size()) {
             results.keepRows(count);
             runTable.keepRows(count);
+            currentRows = Math.min(count, currentRows);
         }
     }
 
@@ -130,8 +146,8 @@ final class ResultTabs {
 
     /** Shows rows that were added to the results, and the newest cells. */
     void update(List<CampaignCell> newCells) {
-        if (!addingRows) {
-            addRows();
+        if (!settingRows) {
+            setNextRows();
         }
         if (newCells != cells) {
             cells = newCells;

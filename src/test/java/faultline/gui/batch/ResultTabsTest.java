@@ -236,6 +236,47 @@ class ResultTabsTest {
         return next;
     }
 
+    /** All rows of a large campaign at once would block the window for seconds. */
+    @Test
+    void manyRowsAreTranslatedWhileOtherEventsAreHandled() throws Exception {
+        BatchRun run = twoRuns();
+        List<String> row = run.takeRow();
+        run.delete();
+        int last = ResultTabs.BLOCK;
+        runOnEdt(() -> {
+            BatchResults results = new BatchResults(run.planOrNull());
+            ResultTabs shown = new ResultTabs(tabs, results, index -> {});
+            for (int i = 0; i <= last; i++) {
+                shown.add(withNumber(row, i));
+            }
+            shown.update(run.cells());
+        });
+        runOnEdt(() -> {});
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.POLISH);
+            ComponentFinder.tree(tabs).forEach(RefreshSteps::run);
+            assertEquals("bez uszkodzenia", String.valueOf(table(1).getValueAt(0, 2)));
+            assertEquals("no fault", String.valueOf(table(1).getValueAt(last, 2)));
+        });
+        runOnEdt(() -> {});
+        assertEquals("bez uszkodzenia", text(1, last, 2));
+        assertEquals(last + 1, callOnEdt(() -> table(1).getRowCount()));
+    }
+
+    @Test
+    void noRowIsSetAgainForAnotherThemeOrTextSize() throws Exception {
+        BatchRun run = twoRuns();
+        runOnEdt(() -> show(run));
+        run.delete();
+        runOnEdt(() -> {
+            List<Object> changes = new ArrayList<>();
+            table(0).getModel().addTableModelListener(changes::add);
+            table(1).getModel().addTableModelListener(changes::add);
+            ComponentFinder.tree(tabs).forEach(RefreshSteps::run);
+            assertEquals(List.of(), changes);
+        });
+    }
+
     private static CampaignCell withRuns(CampaignCell cell, List<Long> runs) {
         return new CampaignCell(
                 cell.labels(),
