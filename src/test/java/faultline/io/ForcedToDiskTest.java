@@ -95,6 +95,24 @@ class ForcedToDiskTest {
     }
 
     @Test
+    void allFilesOfAFolderAreForcedToTheDiskAndThenTheFoldersInWhichTheyAre() throws Throwable {
+        Path source = Files.createDirectory(recordings.resolve("source"));
+        Path first = Files.writeString(source.resolve("first.csv"), "1");
+        Path inside = Files.createDirectory(source.resolve("plan"));
+        Path second = Files.writeString(inside.resolve("second.xml"), "2");
+        Path target = folder.resolve("target");
+        List<Path> forced = forcedDuring(() -> AtomicFolder.copy(source, List.of(first, second), target)).stream()
+                .map(ForcedToDiskTest::path)
+                .toList();
+        Path part = forced.get(0).getParent();
+        assertEquals(folder, part.getParent());
+        assertEquals(
+                List.of(part.resolve("first.csv"), part.resolve("plan/second.xml"), part, part.resolve("plan"), folder),
+                forced.stream().distinct().toList());
+        assertEquals("2", Files.readString(target.resolve("plan/second.xml")));
+    }
+
+    @Test
     void aFileThatIsNotCommittedIsNotForced() throws Throwable {
         List<RecordedEvent> forced = forcedDuring(() -> {
             try (AtomicFile out = AtomicFile.create(folder.resolve("a.txt"))) {

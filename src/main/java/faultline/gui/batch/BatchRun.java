@@ -7,16 +7,14 @@ import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.Shard;
 import faultline.gui.document.TaskProgress;
+import faultline.io.AtomicFolder;
 import faultline.io.TemporaryFolder;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
-import java.util.UUID;
 import java.util.concurrent.ConcurrentLinkedQueue;
 
 /**
@@ -171,19 +169,8 @@ final class BatchRun {
      * @throws IOException if a file cannot be written
      */
     void saveResults(Path target) throws IOException {
-        Path part = target.resolveSibling(".faultline-" + UUID.randomUUID() + ".tmp");
-        try {
-            Files.createDirectories(part);
-            List<Path> files = new CampaignFolder(results()).files();
-            for (Path file : files.stream().filter(Files::exists).toList()) {
-                Path copy = part.resolve(results().relativize(file).toString());
-                Files.createDirectories(copy.getParent());
-                Files.copy(file, copy);
-            }
-            Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            TemporaryFolder.deleteTree(part);
-        }
+        List<Path> files = new CampaignFolder(results()).files();
+        AtomicFolder.copy(results(), files.stream().filter(Files::exists).toList(), target);
     }
 
     /** Deletes the temporary folder, after the batch has ended. */
