@@ -200,7 +200,10 @@ final class BatchDialog extends RunsDialog {
         stopProgress();
         afterEnd = null;
         progress().showStatus(endText == null ? () -> " " : endText);
-        showFailure(failure);
+        showProblem(
+                failure instanceof BatchRun.ChangedException
+                        ? Messages.get("batch.continue.changed")
+                        : ErrorMessages.describe(failure));
     }
 
     private void stopProgress() {
@@ -301,10 +304,6 @@ final class BatchDialog extends RunsDialog {
     /** Returns whether the files of the batch are being made or copied. */
     private boolean isInUse() {
         return running || writes > 0;
-    }
-
-    private void showFailure(Throwable failure) {
-        showProblem(ErrorMessages.describe(failure));
     }
 
     /** Runs an action that would lose unsaved results, after asking whether to save them. */

@@ -11,6 +11,7 @@ import faultline.io.AtomicFolder;
 import faultline.io.TemporaryFolder;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -98,10 +99,18 @@ final class BatchRun {
         return newRows.poll();
     }
 
+    /** Thrown if a batch cannot be continued, because its controllers or the program have changed. */
+    static final class ChangedException extends IOException {
+        ChangedException() {
+            super("the program or a controller has changed");
+        }
+    }
+
     /**
      * Makes the runs that have not been made; if the batch is cancelled, the rows in the table are kept.
      *
      * @throws ScenarioException with everything that is wrong with the plan
+     * @throws ChangedException if the runs that have been made are those of other controllers or another program
      * @throws IOException if the temporary folder cannot be used
      */
     CampaignRunner.RunCounts make() throws IOException, ScenarioException {
@@ -109,7 +118,11 @@ final class BatchRun {
         if (!resume) {
             prepare();
         }
-        CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(results()), Shard.ALL, jobs);
+        CampaignFolder made = new CampaignFolder(results());
+        if (resume && Files.exists(made.runs()) && !made.isOfThisProgram(plan)) {
+            throw new ChangedException();
+        }
+        CampaignRunner runner = new CampaignRunner(plan, made, Shard.ALL, jobs);
         CampaignRunner.RunCounts result = runner.run(resume, new RowCollector(), () -> !progress.isActive());
         keepRows(result.made());
         cells = BatchResults.cellsOf(plan, lines);

@@ -361,6 +361,24 @@ class BatchRunTest {
         run.delete();
     }
 
+    /** A controller can be built between the two parts. */
+    @Test
+    void aBatchIsNotContinuedWithAChangedProgramOrController() throws Exception {
+        BatchPlan plan = new BatchPlan(
+                editedYard(), 31, 1, 2, false, DiagnosisChoice.OFF, true, FAULTS, "1", List.of("left"));
+        BatchRun run = new BatchRun(plan, 1);
+        run.make();
+        Path manifest = run.results().resolve("campaign.json");
+        String text = Files.readString(manifest);
+        Files.writeString(manifest, text.replaceFirst("(\"program_sha256\": \")..", "$1zz"));
+        run.prepareToContinue();
+        assertThrows(BatchRun.ChangedException.class, run::make);
+        Files.writeString(manifest, text);
+        run.prepareToContinue();
+        assertTrue(run.make().isComplete());
+        run.delete();
+    }
+
     @Test
     void savingResultsLeavesOtherFilesAlone() throws Exception {
         BatchRun run = new BatchRun(plan(DiagnosisChoice.SCENARIO, 2), 1);

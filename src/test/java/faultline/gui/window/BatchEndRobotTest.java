@@ -313,7 +313,7 @@ class BatchEndRobotTest {
                 .filter(dialog -> ComponentFinder.findAll(dialog, JOptionPane.class)
                         .anyMatch(pane -> String.valueOf(pane.getMessage())
                                 .replaceAll("\\s+", " ")
-                                .contains("has another plan")));
+                                .contains("has changed. Start it again")));
     }
 
     @Test
