@@ -154,8 +154,8 @@ final class BatchDialog extends RunsDialog {
         ControllerChoice driving = controller;
         stopped = false;
         setRunning(true);
-        progress().showStatus(() -> Messages.get("batch.checking"));
         progress().begin();
+        progress().showStatus(() -> Messages.get("batch.checking"));
         poll.start();
         BackgroundTasks.computeBeforeExit(
                 () -> driving.callWithJars(made::make),
@@ -270,7 +270,7 @@ final class BatchDialog extends RunsDialog {
                 work,
                 () -> {
                     endWriting(written);
-                    showSaved(running ? null : endText, String.valueOf(target.getFileName()));
+                    progress().showSaved(String.valueOf(target.getFileName()));
                     onWritten.run();
                 },
                 failure -> {
@@ -282,14 +282,6 @@ final class BatchDialog extends RunsDialog {
                                 ErrorMessages.describe(failure, target)));
                     }
                 });
-    }
-
-    /** Shows that a file or folder has been written, after how the batch ended, null before the end. */
-    private void showSaved(Supplier<String> end, String name) {
-        progress()
-                .showStatus(() -> end == null
-                        ? Messages.get("saved", name)
-                        : Messages.get("batch.saved", end.get(), Messages.get("saved", name)));
     }
 
     /** Deletes a batch whose dialog was closed while it was written. */

@@ -23,6 +23,8 @@ final class BatchProgressPanel extends JPanel {
     private transient List<String> types = List.of();
     /** Returns the status in the current language. */
     private transient Supplier<String> statusText = () -> " ";
+    /** The name of the file or folder that was saved last; null if none since work has begun or ended. */
+    private transient String saved;
 
     BatchProgressPanel() {
         super(new BorderLayout(12, 0));
@@ -55,17 +57,29 @@ final class BatchProgressPanel extends JPanel {
     /** Shows the sentence, which a narrow window may cut, in a tip, too. */
     private void showStatus() {
         String text = statusText.get();
+        if (saved != null) {
+            String savedText = Messages.get("saved", saved);
+            text = text.isBlank() ? savedText : Messages.get("batch.saved", text, savedText);
+        }
         status.setText(text);
         status.setToolTipText(text.isBlank() ? null : text);
     }
 
+    /** Shows behind the sentence that a file or folder has been saved, until work begins or ends. */
+    void showSaved(String name) {
+        saved = name;
+        showStatus();
+    }
+
     /** Shows that work of unknown length has begun. */
     void begin() {
+        saved = null;
         bar.setIndeterminate(true);
     }
 
     /** Shows that no work is being done. */
     void end() {
+        saved = null;
         bar.setIndeterminate(false);
     }
 
