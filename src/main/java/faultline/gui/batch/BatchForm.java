@@ -79,6 +79,7 @@ final class BatchForm extends JPanel {
     private final TitledSection sensorSection = new TitledSection("batch.section.sensors", sensorBoxes);
     private final TitledSection faultSection;
     private final JScrollPane scroll;
+    private Arrangement arrangement = Arrangement.WIDE;
     private int row;
 
     /** Creates a form for a scenario. */
@@ -122,8 +123,11 @@ final class BatchForm extends JPanel {
     @Override
     public void doLayout() {
         int room = getWidth() - scroll.getVerticalScrollBar().getPreferredSize().width;
-        if (widthOf(Arrangement.WIDE) > room && widthOf(Arrangement.MEDIUM) > room) {
-            arrange(Arrangement.NARROW);
+        for (Arrangement each : Arrangement.values()) {
+            arrange(each);
+            if (sectionsWidth() <= room) {
+                break;
+            }
         }
         super.doLayout();
     }
@@ -131,16 +135,20 @@ final class BatchForm extends JPanel {
     /** Returns a size in which the form is wide. */
     @Override
     public Dimension getPreferredSize() {
+        Arrangement now = arrangement;
+        arrange(Arrangement.WIDE);
         int bar = scroll.getVerticalScrollBar().getPreferredSize().width;
-        return new Dimension(widthOf(Arrangement.WIDE) + bar, super.getPreferredSize().height);
+        Dimension size = new Dimension(sectionsWidth() + bar, super.getPreferredSize().height);
+        arrange(now);
+        return size;
     }
 
-    private int widthOf(Arrangement arrangement) {
-        arrange(arrangement);
+    private int sectionsWidth() {
         return layout.preferredLayoutSize(sections).width;
     }
 
-    private void arrange(Arrangement arrangement) {
+    private void arrange(Arrangement next) {
+        arrangement = next;
         faults.arrange(arrangement.faultColumns);
         boolean wide = arrangement == Arrangement.WIDE;
         boolean narrow = arrangement == Arrangement.NARROW;
