@@ -110,15 +110,26 @@ public final class ScrolledMenuLayout implements LayoutManager {
         down.setBounds(insets.left, bottom - arrow, width, arrow);
         int room = bottom - insets.top - 2 * arrow;
         first = Math.min(first, lastFirst(items, room));
+        int end = endOfShown(items, room);
         int y = insets.top + arrow;
         for (int i = 0; i < items.size(); i++) {
             int height = items.get(i).getPreferredSize().height;
-            boolean shows = i >= first && y + height <= bottom - arrow;
+            boolean shows = i >= first && i < end;
+            // The other items are below the menu.
             items.get(i).setBounds(insets.left, shows ? y : popup.getHeight(), width, height);
-            y += shows ? height : i >= first ? popup.getHeight() : 0;
+            y += shows ? height : 0;
         }
         up.setEnabled(first > 0);
-        down.setEnabled(y > bottom);
+        down.setEnabled(end < items.size());
+    }
+
+    /** Returns the index after the last item for which there is room. */
+    private int endOfShown(List<Component> items, int room) {
+        int end = first;
+        while (end < items.size() && heightOf(items.subList(first, end + 1)) <= room) {
+            end++;
+        }
+        return end;
     }
 
     /** Returns whether a menu of a height cannot show all items. */
