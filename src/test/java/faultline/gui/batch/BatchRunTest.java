@@ -30,15 +30,12 @@ import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.SensorSpec;
 import faultline.world.WorldSpec;
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -341,8 +338,8 @@ class BatchRunTest {
     /** Rows that a full disk did not take, for example, are not in the table. */
     @Test
     void runsThatTheTableLacksAreMadeAgainAndCountOnce() throws Exception {
-        BatchPlan plan = new BatchPlan(
-                editedYard(), 31, 2, 2, false, DiagnosisChoice.OFF, true, FAULTS, "1", List.of("left"));
+        BatchPlan plan =
+                new BatchPlan(editedYard(), 31, 2, 2, false, DiagnosisChoice.OFF, true, FAULTS, "1", List.of("left"));
         BatchRun whole = new BatchRun(plan, 1);
         whole.make();
         whole.delete();
@@ -364,8 +361,8 @@ class BatchRunTest {
     /** A controller can be built between the two parts. */
     @Test
     void aBatchIsNotContinuedWithAChangedProgramOrController() throws Exception {
-        BatchPlan plan = new BatchPlan(
-                editedYard(), 31, 1, 2, false, DiagnosisChoice.OFF, true, FAULTS, "1", List.of("left"));
+        BatchPlan plan =
+                new BatchPlan(editedYard(), 31, 1, 2, false, DiagnosisChoice.OFF, true, FAULTS, "1", List.of("left"));
         BatchRun run = new BatchRun(plan, 1);
         run.make();
         Path manifest = run.results().resolve("campaign.json");
