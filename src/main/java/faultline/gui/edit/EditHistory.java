@@ -6,11 +6,9 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
@@ -35,12 +33,7 @@ final class EditHistory {
     private int cursor;
 
     private final EditLog log = new EditLog();
-    /** The edits whose undo was refused since the last new edit, or since all such edits have been tried again. */
-    private final Set<Edit> refused = new HashSet<>();
-
-    /** The indices of edits before they were undone, because one whose undo is refused stays where it is. */
-    private final Map<Edit, Integer> places = new HashMap<>();
-
+    private final RefusedUndos refusedUndos = new RefusedUndos();
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
 
     /** Sets what returns the commands of the timeline that were executed after a tick. */
@@ -53,7 +46,7 @@ final class EditHistory {
      * dropped. Returns whether the edit has become a separate entry.
      */
     boolean add(Edit edit) {
-        refused.clear();
+        refusedUndos.clear();
         List<CommandEdit> ahead = editsAhead();
         dropUndone();
         if (!isMerged(edit)) {
@@ -159,41 +152,15 @@ final class EditHistory {
      * undo was refused is passed over as long as an edit before it changes other things; then it is tried again.
      */
     Optional<Edit> nextUndo() {
-        List<Edit> passed = new ArrayList<>();
-        for (int index = cursor - 1; index >= 0; index--) {
-            Edit edit = edits.get(index);
-            if (isEffective(edit)) {
-                if (!refused.contains(edit) && isIndependent(edit, passed)) {
-                    return Optional.of(edit);
-                }
-                passed.add(edit);
-            }
-        }
-        return passed.stream().findFirst();
+        return refusedUndos.next(edits.subList(0, cursor), this::isEffective);
     }
 
-    private static boolean isIndependent(Edit edit, List<Edit> later) {
-        return later.isEmpty()
-                || edit instanceof CommandEdit command
-                        && later.stream()
-                                .allMatch(
-                                        other -> other instanceof CommandEdit newer && command.isIndependentOf(newer));
-    }
-
-    /**
-     * Records that the undo of an edit was refused, so that those before it can be undone. If it was refused before,
-     * all that were passed over have been tried, and the others are tried again after this one.
-     */
+    /** Records that the undo of an edit was refused, so that those before it can be undone; it stays where it was. */
     void undoRefused(CommandEdit edit) {
-        boolean isRetry = refused.contains(edit);
-        int place = places.getOrDefault(edit, cursor);
-        mark(edit, true);
+        refusedUndos.add(edit);
+        mark(edit, true, false);
         int last = edits.indexOf(edit);
-        edits.add(Math.min(place, last), edits.remove(last));
-        if (isRetry) {
-            refused.clear();
-        }
-        refused.add(edit);
+        edits.add(refusedUndos.placeOf(edit, last), edits.remove(last));
     }
 
     /** Returns whether the timeline may have ended what an edit did since a tick; fast if there is no such edit. */
@@ -237,10 +204,9 @@ final class EditHistory {
     /** Makes an edit that is done the last such, or one that is undone the first such, if its state changes. */
     void mark(Edit edit, boolean done) {
         if (done) {
-            refused.remove(edit);
-            places.remove(edit);
+            refusedUndos.redone(edit);
         } else {
-            places.put(edit, edits.indexOf(edit));
+            refusedUndos.undone(edit, edits.indexOf(edit));
         }
         mark(edit, done, false);
     }
@@ -343,7 +309,7 @@ final class EditHistory {
      * become commands of the timeline, the edits of those that are done are replaced.
      */
     boolean moveTo(long tick, boolean eventsOnTimeline, BiFunction<Edit, List<CommandResult>, Edit> replacement) {
-        refused.clear();
+        refusedUndos.clear();
         if (eventsOnTimeline) {
             replaceEvents(replacement);
             log.removeIf(IS_EVENT);
@@ -362,7 +328,7 @@ final class EditHistory {
      * that are done are replaced, as by {@link #moveTo}.
      */
     void restart(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
-        refused.clear();
+        refusedUndos.clear();
         advanceTo(Long.MAX_VALUE);
         replaceEvents(replacement);
         for (Edit edit : edits) {
@@ -431,8 +397,7 @@ final class EditHistory {
     }
 
     void clear() {
-        refused.clear();
-        places.clear();
+        refusedUndos.clear();
         log.clear();
         edits.clear();
         cursor = 0;
