@@ -177,6 +177,14 @@ public final class SetupEditor {
         }
     }
 
+    /** Returns whether the setup has been changed before the first tick, and no command is later. */
+    public boolean changesSetupAtStart() {
+        return entries.stream().allMatch(entry -> entry.tick() <= 1)
+                && entries.stream()
+                        .anyMatch(
+                                entry -> !TimelineEvents.isEvent(entry.change().command()));
+    }
+
     /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
     public SimulationSetup setup() {
         return edited.withTimeline(timeline());

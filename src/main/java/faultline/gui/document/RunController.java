@@ -312,17 +312,26 @@ public final class RunController implements WorkspaceListener {
         submitUnlessFailed(Session::step);
     }
 
+    /** Sends a request unless the run has failed, after changes of the setup at its start have been included. */
     private void submitUnlessFailed(Consumer<Session> request) {
         submit(open -> {
-            if (open.session().status().failure().isPresent()) {
-                workspace.fire(WorkspaceListener::failedRunResumed);
+            if (navigator.beginWithChanges(open)) {
+                submit(begun -> requestUnlessFailed(begun, request));
             } else {
-                if (open.session().status().running()) {
-                    workspace.fire(WorkspaceListener::pauseRequested);
-                }
-                request.accept(open.session());
+                requestUnlessFailed(open, request);
             }
         });
+    }
+
+    private void requestUnlessFailed(OpenDocument open, Consumer<Session> request) {
+        if (open.session().status().failure().isPresent()) {
+            workspace.fire(WorkspaceListener::failedRunResumed);
+        } else {
+            if (open.session().status().running()) {
+                workspace.fire(WorkspaceListener::pauseRequested);
+            }
+            request.accept(open.session());
+        }
     }
 
     /**

@@ -11,8 +11,10 @@ import java.util.Collections;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.LongConsumer;
 import java.util.function.LongPredicate;
 import java.util.function.ToLongFunction;
+import java.util.function.UnaryOperator;
 
 /** Moves the run to other ticks: a new session replays the journal of the old one. Event dispatch thread only. */
 public final class RunNavigator implements WorkspaceListener {
@@ -69,7 +71,44 @@ public final class RunNavigator implements WorkspaceListener {
         }
         resuming = false;
         workspace.fire(listener -> listener.seekStarted(shown));
-        replay(now, TaskKind.GO_TO, () -> now.document().prepareMoveTo(target), past -> target, Session::replay);
+        LongConsumer preparation = ticks -> {
+            if (ticks == 0 && target > 0) {
+                includeChangesAtStart(now);
+            }
+            now.document().prepareMoveTo(target);
+        };
+        replay(now, TaskKind.GO_TO, preparation, past -> target, Session::replay);
+    }
+
+    /**
+     * Begins the run with the edited setup, asynchronously, if it is paused at tick 0 and its setup may have been
+     * changed there: these changes act from the start on, as they will when the scenario is saved. Otherwise they would
+     * act in the first tick. Returns false, without an effect, if there is nothing to do, and while a scenario is being
+     * opened.
+     */
+    boolean beginWithChanges(OpenDocument now) {
+        boolean paused = !now.session().status().running();
+        if (currentTick() > 0 || !paused || isOpening() || !now.document().mayChangeSetupAtStart()) {
+            return false;
+        }
+        LongConsumer preparation = ticks -> {
+            if (ticks == 0) {
+                includeChangesAtStart(now);
+            }
+        };
+        replay(now, TaskKind.RESIMULATE, preparation, Journal::ticks, Session::resimulate);
+        return true;
+    }
+
+    /** Makes the changes of the setup at tick 0 part of the setup, and the events there part of its timeline. */
+    private void includeChangesAtStart(OpenDocument now) {
+        if (now.document().changesSetupAtStart()) {
+            lacksChange = true;
+            SimulationSetup before = now.document().initial().setup();
+            now.document().changeForRestart(UnaryOperator.identity());
+            workspace.fire(listener -> listener.editsIncluded(before));
+            workspace.fire(WorkspaceListener::titleChanged);
+        }
     }
 
     /** Returns the time of the run, seconds. */
@@ -104,7 +143,7 @@ public final class RunNavigator implements WorkspaceListener {
             replay(
                     now,
                     TaskKind.RESIMULATE,
-                    now.document()::prepareResimulation,
+                    ticks -> now.document().prepareResimulation(),
                     past -> now.tickOfScenario(past.ticks()),
                     Session::resimulate);
         });
@@ -116,16 +155,19 @@ public final class RunNavigator implements WorkspaceListener {
         Session start(Journal journal, long tick, LongPredicate shouldContinue);
     }
 
-    /** Pauses a run and replays it up to a tick, after a preparation when the results of all commands are known. */
+    /**
+     * Pauses a run and replays it up to a tick, after a preparation at the present tick when the results of all
+     * commands are known.
+     */
     private void replay(
-            OpenDocument now, TaskKind kind, Runnable preparation, ToLongFunction<Journal> end, Replay replay) {
+            OpenDocument now, TaskKind kind, LongConsumer preparation, ToLongFunction<Journal> end, Replay replay) {
         now.session().pause();
         CompletableFuture<Journal> pastOfRun = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
                 .fullJournal()
                 .thenApplyAsync(
                         journal -> {
-                            preparation.run();
+                            preparation.accept(journal.ticks());
                             return now.document().journal(journal.ticks());
                         },
                         EventQueue::invokeLater);

@@ -103,6 +103,16 @@ final class ScenarioDocument {
         edited = null;
     }
 
+    /** Returns whether commands that the run has executed at tick 0 change the setup. */
+    boolean changesSetupAtStart() {
+        return editor.changesSetupAtStart();
+    }
+
+    /** Returns {@link #changesSetupAtStart}, or true while the results of some commands are not known yet. */
+    boolean mayChangeSetupAtStart() {
+        return awaitsCommands() || changesSetupAtStart();
+    }
+
     /**
      * Redoes or undoes changes of an earlier run in the setup at the start. The document then has no commands of the
      * run any more, except for events.

@@ -167,8 +167,9 @@ class WorkspaceTest {
             run.step();
         });
         SessionFrames.awaitTick(workspace, 1);
+        // The step begins with the obstacle elsewhere, in a session of its own.
         runOnEdt(run::restart);
-        waitFor("the second session", () -> sessionCount == 2);
+        waitFor("the third session", () -> sessionCount == 3);
         assertEquals(0, frame().snapshot().tick());
         assertEquals(ELSEWHERE, obstacle(frame().snapshot().obstacles()).pose());
         assertTrue(frame().snapshot().robot().sensor("left").orElseThrow().on());

@@ -52,8 +52,9 @@ class GestureUndoTest {
         return new Command.PlaceObstacle(new Obstacle(CHAIR, new ObstacleShape.CircleShape(radius), pose));
     }
 
-    /** Drags the chair at tick 0 and on at tick 5. */
+    /** Drags the chair at tick 1 and on at tick 6. */
     private void drag(Pose first, Pose second) {
+        run.advance(1);
         runOnEdt(run.sender()::beginGesture);
         run.drag(move(first));
         run.advance(5);
@@ -100,6 +101,19 @@ class GestureUndoTest {
         assertEquals(initialPose, pose());
         run.redo();
         assertEquals(SECOND, pose());
+    }
+
+    @Test
+    void aDragThatBeginsAtTheStartIsTwoEdits() {
+        runOnEdt(run.sender()::beginGesture);
+        run.drag(move(FIRST));
+        run.advance(5);
+        run.drag(move(SECOND));
+        runOnEdt(run.sender()::endGesture);
+        run.undo();
+        assertEquals(FIRST, run.shown(CHAIR).orElseThrow().pose());
+        run.undo();
+        assertEquals(initial, run.scenario());
     }
 
     @Test

@@ -46,11 +46,10 @@ class UndoneCollisionRobotTest {
                         .replace("duration=\"30\"", "duration=\"100000\"")
                         .replace("y=\"2.05\" radius=\"0.02\"", "y=\"3\" radius=\"0.1\""));
         try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, scenario)) {
-            double metre = callOnEdt(() -> driver.canvas()
-                            .camera()
-                            .toScreen(new Vector2(0, 0))
-                            .y()
-                    - driver.canvas().camera().toScreen(new Vector2(0, 1)).y());
+            double metre = callOnEdt(() -> screenY(driver, 0) - screenY(driver, 1));
+            // Undo of an edit at the start would change the start.
+            driver.choose("step");
+            driver.waitForFrame("the first tick", frame -> frame.snapshot().tick() == 1);
             driver.drag(0, 0, (int) metre);
             driver.runFast(frame -> frame.snapshot().collision().isPresent());
             driver.choose("run");
@@ -75,6 +74,10 @@ class UndoneCollisionRobotTest {
                     "the robot is past the place",
                     frame -> frame.snapshot().pose().x() > 5);
         }
+    }
+
+    private static double screenY(WindowDriver driver, double y) {
+        return driver.canvas().camera().toScreen(new Vector2(0, y)).y();
     }
 
     /** There is nothing to step back to before the start of the run. */
