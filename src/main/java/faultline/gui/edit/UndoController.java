@@ -196,7 +196,11 @@ public final class UndoController {
         List<Command> commands = changes.stream()
                 .flatMap(change -> Stream.ofNullable(change.inRun()))
                 .toList();
-        Consumer<List<CommandResult>> onExecuted = results -> commandsExecuted(edit, done, changes, results);
+        requests.requestSent();
+        Consumer<List<CommandResult>> onExecuted = results -> {
+            commandsExecuted(edit, done, changes, results);
+            requests.requestAnswered();
+        };
         if (changes.stream().allMatch(change -> change.inScenario() == null)) {
             sender.submit(commands, onExecuted);
         } else {

@@ -6,10 +6,10 @@ import java.util.Deque;
 import java.util.Optional;
 
 /**
- * Undoes and redoes edits on request. A request waits until the run has answered the edits before it, since one that is
- * refused is not undone, and until a run that is being restarted or moved has its events on the timeline and its other
- * edits at the start. A new edit drops the requests that wait, because it was made without their effects. Event
- * dispatch thread only.
+ * Undoes and redoes edits on request. A request waits until the run has answered the edits and requests before it,
+ * since an edit that is refused is not undone, and one whose undo is refused stays done, and until a run that is being
+ * restarted or moved has its events on the timeline and its other edits at the start. A new edit drops the requests
+ * that wait, because it was made without their effects. Event dispatch thread only.
  */
 final class UndoRequests {
 
@@ -19,7 +19,10 @@ final class UndoRequests {
     /** Null for a run that is neither restarted nor moved. */
     private RunController run;
 
+    /** The numbers of edits, and of undone and redone edits, that the run has not answered. */
     private int unanswered;
+
+    private int unansweredRequests;
     /** Whether the requests will be processed when the run has been restarted or moved. */
     private boolean deferred;
 
@@ -61,6 +64,19 @@ final class UndoRequests {
         process();
     }
 
+    /**
+     * Records that the commands of an edit that is undone or redone are being sent; {@link #requestAnswered} follows.
+     */
+    void requestSent() {
+        unansweredRequests++;
+    }
+
+    /** Records that the run has answered the commands of an edit that is undone or redone. */
+    void requestAnswered() {
+        unansweredRequests--;
+        process();
+    }
+
     void undo() {
         request(Kind.UNDO);
     }
@@ -86,7 +102,7 @@ final class UndoRequests {
 
     /** Executes the requests that need not wait any longer. */
     private void process() {
-        while (unanswered == 0 && !waiting.isEmpty()) {
+        while (unanswered + unansweredRequests == 0 && !waiting.isEmpty()) {
             boolean redone = waiting.peek() == Kind.REDO;
             Optional<Edit> next = redone ? history.nextRedo() : history.nextUndo();
             if (next.filter(this::mustWait).isPresent()) {
@@ -116,6 +132,7 @@ final class UndoRequests {
     void clear() {
         waiting.clear();
         unanswered = 0;
+        unansweredRequests = 0;
         deferred = false;
     }
 }

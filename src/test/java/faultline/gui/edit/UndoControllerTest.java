@@ -506,6 +506,35 @@ class UndoControllerTest {
         assertEquals(List.of(DESK), world.snapshot().obstacles());
     }
 
+    /** The second undo was about the desk, which did not exist. */
+    @Test
+    void anUndoWaitsForTheAnswerToTheOneBefore() {
+        List<Runnable> answers = new ArrayList<>();
+        CommandSender lateSender = lateSender(answers);
+        UndoController late = callOnEdt(() -> new UndoController(lateSender, () -> {}));
+        runOnEdt(() -> {
+            lateSender.send(moveTo(3.9));
+            lateSender.send(new Command.RemoveObstacle("desk"));
+            answers.remove(0).run();
+            answers.remove(0).run();
+        });
+        longRobot(true);
+        runOnEdt(() -> {
+            late.undo();
+            late.undo();
+        });
+        while (!answers.isEmpty()) {
+            runOnEdt(() -> answers.remove(0).run());
+        }
+        assertEquals(Optional.of("Delete desk"), callOnEdt(late::undoName));
+        longRobot(false);
+        runOnEdt(() -> {
+            late.undo();
+            late.undo();
+        });
+        assertEquals(List.of(3.9, 4.0), places(answers));
+    }
+
     @Test
     void aChangeOfTheSetupWaitsForTheEditWhoseUndoIsRefused() {
         runOnEdt(() -> {
