@@ -89,7 +89,8 @@ public final class ScenarioEditor {
      * Changes the scenario, given the name of the edit in the current language, its target, the change, and the change
      * that reverts only this change. Changes with equal targets in quick succession form one edit.
      */
-    void edit(Supplier<String> name, Object target, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
+    public void edit(
+            Supplier<String> name, Object target, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
         edit(name, target, change, inverse, () -> {});
     }
 

@@ -84,10 +84,18 @@ public final class ScenarioActions {
             form.setScenario(open);
             if (confirm(form, form.nameField(), "properties.title", () -> form.findProblem(open))
                     && !form.properties().equals(before)) {
-                ScenarioProperties after = form.properties();
-                editor.edit("edit.properties", after::applyTo, before::applyTo);
+                edit(editor, before, form.properties());
             }
         });
+    }
+
+    /** Changes the properties of the open scenario, as an edit of its own. */
+    static void edit(ScenarioEditor editor, ScenarioProperties before, ScenarioProperties after) {
+        editor.edit(
+                () -> Messages.get("edit.properties"),
+                after,
+                open -> after.applyChanges(before, open),
+                open -> before.applyChanges(after, open));
     }
 
     /** Shows a form until it is cancelled or nothing is wrong with it, and returns whether it was accepted. */

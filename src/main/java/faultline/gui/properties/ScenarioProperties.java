@@ -5,6 +5,8 @@ import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The properties of a scenario besides its robot, its obstacles and its timeline.
@@ -46,6 +48,48 @@ record ScenarioProperties(
                 setup.dt(),
                 setup.seed(),
                 scenario.expectation());
+    }
+
+    /**
+     * Returns a scenario with those of these properties that differ from earlier ones, which were those of the edited
+     * scenario. The scenario may expect states that the edited one hides, because no controller of its run has them.
+     */
+    Scenario applyChanges(ScenarioProperties before, Scenario scenario) {
+        ScenarioProperties old = of(scenario);
+        return new ScenarioProperties(
+                        changed(before.name, name, old.name),
+                        changed(before.description, description, old.description),
+                        changed(before.width, width, old.width),
+                        changed(before.height, height, old.height),
+                        changed(before.enclosed, enclosed, old.enclosed),
+                        changed(before.start, start, old.start),
+                        changed(before.duration, duration, old.duration),
+                        changed(before.dt, dt, old.dt),
+                        changed(before.seed, seed, old.seed),
+                        withHidden(before.expectation, expectation, old.expectation))
+                .applyTo(scenario);
+    }
+
+    private static <T> T changed(T before, T after, T old) {
+        return after.equals(before) ? old : after;
+    }
+
+    /** Returns the expectation after a change, with the old conditions that the one before it did not have. */
+    private static Expectation withHidden(Expectation before, Expectation after, Expectation old) {
+        if (after.equals(before)) {
+            return old;
+        }
+        List<Expectation.Condition> conditions = new ArrayList<>(old.conditions());
+        conditions.removeAll(before.conditions());
+        if (after.conditions().stream().anyMatch(ScenarioProperties::isFinal)) {
+            conditions.removeIf(ScenarioProperties::isFinal);
+        }
+        conditions.addAll(0, after.conditions());
+        return new Expectation(conditions);
+    }
+
+    private static boolean isFinal(Expectation.Condition condition) {
+        return condition instanceof Expectation.FinalState;
     }
 
     /** Returns a scenario with these properties instead of its own. */

@@ -32,6 +32,7 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.ShippedScenarios;
 import faultline.world.Clearance;
+import faultline.world.Command;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -49,6 +50,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** New scenarios, and the properties of the open one, without a display. */
 @ExtendWith(EdtChecker.class)
@@ -255,7 +257,7 @@ class PropertiesTest {
                 0.02,
                 99,
                 new Expectation(List.of(new Expectation.VisitedState(FollowerState.FOLLOW))));
-        runOnEdt(() -> new ScenarioEditor(run, undo).edit("edit.properties", after::applyTo, before::applyTo));
+        runOnEdt(() -> ScenarioActions.edit(new ScenarioEditor(run, undo), before, after));
         await(workspace, after);
         SessionFrames.awaitFrame(
                 workspace,
@@ -267,6 +269,52 @@ class PropertiesTest {
         await(workspace, after);
         assertFalse(callOnEdt(() -> undo.redoName().isPresent()));
         runOnEdt(workspace::close);
+    }
+
+    /** Without a controller, the scenario expects no states. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void expectedStatesReturnWhenEverythingIsUndone(boolean expectation) throws IOException {
+        Scenario scenario = ScenarioTemplate.CORRIDOR
+                .create()
+                .withExpectation(new Expectation(List.of(
+                        new Expectation.Collides(false),
+                        new Expectation.VisitedState(FollowerState.FOLLOW),
+                        new Expectation.VisitedState(FollowerState.SEARCH),
+                        new Expectation.FinalState(FollowerState.FOLLOW))));
+        Workspace workspace = callOnEdt(Workspace::new);
+        RunController run = callOnEdt(() -> new RunController(workspace));
+        CommandSender sender = callOnEdt(() -> new CommandSender(run::send));
+        UndoController undo = callOnEdt(() -> new UndoController(sender, () -> {}));
+        runOnEdt(() -> {
+            undo.follow(workspace, run);
+            new DocumentStore(workspace).create(scenario);
+        });
+        SessionFrames.awaitScenario(workspace);
+        runOnEdt(() -> sender.send(new Command.ConfigureController(new ControllerSpec.None())));
+        awaitRest(workspace);
+        runOnEdt(() -> {
+            Scenario open = workspace.scenario().orElseThrow();
+            assertEquals(1, open.expectation().conditions().size());
+            Scenario renamed = open.withName("Other name");
+            ScenarioActions.edit(
+                    new ScenarioEditor(run, undo),
+                    ScenarioProperties.of(open),
+                    ScenarioProperties.of(expectation ? renamed.withExpectation(Expectation.NONE) : renamed));
+        });
+        awaitRest(workspace);
+        runOnEdt(undo::undo);
+        awaitRest(workspace);
+        runOnEdt(undo::undo);
+        awaitRest(workspace);
+        assertEquals(scenario, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        runOnEdt(workspace::close);
+    }
+
+    private static void awaitRest(Workspace workspace) {
+        Await.until(
+                "the answers of the run",
+                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
     }
 
     private static void await(Workspace workspace, ScenarioProperties wanted) {
