@@ -80,8 +80,7 @@ public abstract class EnteredTextField extends JTextField implements PendingFiel
             public void focusLost(FocusEvent event) {
                 // As in a number field, the text stays while another window or a menu has the focus.
                 if (!event.isTemporary()) {
-                    commit();
-                    showValue();
+                    commitOrRevert();
                 }
             }
         });
@@ -131,6 +130,12 @@ public abstract class EnteredTextField extends JTextField implements PendingFiel
             showValue();
         }
         return !valueText().equals(before);
+    }
+
+    /** Applies the text, or shows the present value if it is not allowed, as when the focus leaves the field. */
+    public void commitOrRevert() {
+        commit();
+        showValue();
     }
 
     /** Applies the text; returns false if it is not allowed. */

@@ -67,6 +67,8 @@ final class ObstacleForm extends JPanel {
     private final transient CachedDegrees shownSpecularAngle = new CachedDegrees();
     /** Null if none is shown. */
     private transient Obstacle obstacle;
+    /** The id of the obstacle in the edited scenario, empty for none. */
+    private String id = "";
 
     ObstacleForm(CommandSender sender, ObstacleEditor editor) {
         super(new WrappingGridLayout());
@@ -90,7 +92,21 @@ final class ObstacleForm extends JPanel {
         FormConstraints.addRow(this, 9, "obstacle.waypoints", waypoints);
         FormConstraints.addRow(this, 10, "obstacle.speed", speed.withColumns(8));
         add(loop, FormConstraints.fillRow(1, 11));
-        setObstacle(null);
+        setObstacle(null, List.of());
+    }
+
+    /** Ends what is being typed for the obstacle, which is dropped if that does not exist any more. */
+    private void endTyping(boolean exists) {
+        Stream<NumberSpinner> numbers = Stream.of(x, y, heading, specularAngle, speed);
+        if (exists) {
+            numbers.forEach(NumberSpinner::commitPendingEdit);
+            waypoints.commitOrRevert();
+            size.commitOrRevert();
+        } else {
+            numbers.forEach(NumberSpinner::discardPendingEdit);
+            waypoints.discardPendingEdit();
+            size.discardPendingEdits();
+        }
     }
 
     private NumberSpinner coordinate(BiFunction<Pose, Double, Pose> moved) {
@@ -139,9 +155,17 @@ final class ObstacleForm extends JPanel {
                                 points)));
     }
 
-    /** Shows an obstacle as it will be after the commands that were sent, or disabled fields if it is null. */
-    void setObstacle(Obstacle obstacleOrNull) {
-        idField.setId(obstacleOrNull == null ? "" : editor.editedId(obstacleOrNull));
+    /**
+     * Shows an obstacle as it will be after the commands that were sent, or disabled fields if it is null. What is
+     * being typed is first applied to the one before, if it is still among the obstacles.
+     */
+    void setObstacle(Obstacle obstacleOrNull, List<Obstacle> obstacles) {
+        String newId = obstacleOrNull == null ? "" : editor.editedId(obstacleOrNull);
+        if (!newId.equals(id)) {
+            endTyping(obstacles.stream().map(editor::editedId).anyMatch(id::equals));
+        }
+        idField.setId(newId);
+        id = newId;
         obstacle = obstacleOrNull;
         Optional<Obstacle> shown = Optional.ofNullable(obstacle).map(sender.pendingEdits()::expected);
         Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));

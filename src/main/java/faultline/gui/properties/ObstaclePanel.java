@@ -98,7 +98,7 @@ public final class ObstaclePanel extends JPanel {
         }
         updating = false;
         List<Obstacle> selected = tools.selected();
-        form.setObstacle(selected.size() == 1 ? selected.get(0) : null);
+        form.setObstacle(selected.size() == 1 ? selected.get(0) : null, obstacles);
         enableButtons(selected.size());
     }
 

@@ -4,6 +4,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.edit.PointShapes;
 import faultline.gui.form.FormConstraints;
 import faultline.gui.form.NumberSpinner;
+import faultline.gui.form.PendingField;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.world.ObstacleShape;
@@ -11,6 +12,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
@@ -82,6 +84,18 @@ final class SizeFields {
         form.add(second.withColumns(8), FormConstraints.cell(1, row + 1));
         form.add(FormConstraints.label("obstacle.points", points), FormConstraints.cell(0, row + 2));
         form.add(points, FormConstraints.fillRow(1, row + 2));
+    }
+
+    /** Applies what is typed, or shows the present size if it is not allowed. */
+    void commitOrRevert() {
+        first.commitPendingEdit();
+        second.commitPendingEdit();
+        points.commitOrRevert();
+    }
+
+    /** Shows the present size in place of what is typed. */
+    void discardPendingEdits() {
+        Stream.of(first, second, points).forEach(PendingField::discardPendingEdit);
     }
 
     private void setLabels(String kind) {

@@ -32,7 +32,9 @@ import java.awt.event.ActionEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -187,6 +189,49 @@ class ObstaclePanelTest {
                 List.of(new Vector2(1, 1), new Vector2(2.5, 1)),
                 placed(4).motion().waypoints());
         assertEquals(5, commands.size());
+    }
+
+    /** The selection can change before the field has lost the focus. */
+    @Test
+    void whatIsTypedIsForTheObstacleThatWasSelectedThen() {
+        Map<String, String> typed = new LinkedHashMap<>();
+        typed.put("x, m", "2.50");
+        typed.put("Waypoints, m", "1,1");
+        typed.put("Width, m", "2.50");
+        typed.forEach((name, text) -> {
+            select("crate");
+            runOnEdt(() -> ComponentFinder.find(panel, JTextField.class, name).setText(text));
+            select("vase");
+        });
+        assertEquals(new Command.MoveObstacle("crate", new Pose(2.5, 2.9, 0)), commands.get(0));
+        assertEquals(List.of(new Vector2(1, 1)), placed(1).motion().waypoints());
+        assertEquals(new ObstacleShape.RectangleShape(2.5, 0.4), placed(2).shape());
+        assertEquals(3, commands.size());
+        assertEquals("4.10", text("x, m"));
+    }
+
+    @Test
+    void aTextThatIsNotAllowedIsNotKeptForTheNextObstacle() {
+        select("cat");
+        runOnEdt(() -> {
+            ComponentFinder.find(panel, JTextField.class, "x, m").setText("2m");
+            ComponentFinder.find(panel, JTextField.class, "Waypoints, m").setText("5,2 3");
+        });
+        select("crate");
+        assertEquals(List.of("1.30", ""), List.of(text("x, m"), text("Waypoints, m")));
+        assertEquals(List.of(), commands);
+    }
+
+    /** A command that replaces an obstacle would bring it back. */
+    @Test
+    void whatIsTypedForAnObstacleThatIsRemovedIsDropped() {
+        select("crate");
+        runOnEdt(() -> {
+            ComponentFinder.find(panel, JTextField.class, "Width, m").setText("2.50");
+            show(SampleFrames.frameOf(new Pose(3, 2, 0), VASE));
+        });
+        assertEquals(List.of(), commands);
+        assertEquals("", text("Width, m"));
     }
 
     @Test
