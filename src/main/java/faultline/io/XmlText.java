@@ -75,6 +75,15 @@ public final class XmlText {
                 .replace(">", "&gt;");
     }
 
+    /**
+     * {@return whether XML 1.0 can hold every character of a text}
+     *
+     * @param text the text
+     */
+    public static boolean isValid(String text) {
+        return text.codePoints().allMatch(XmlText::isXmlCharacter);
+    }
+
     private static String replaceInvalid(String text, int other) {
         if (isSurelyValid(text)) {
             return text;

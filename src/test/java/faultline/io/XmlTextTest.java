@@ -1,6 +1,8 @@
 package faultline.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.StringReader;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -48,6 +50,7 @@ class XmlTextTest {
     @ValueSource(ints = {0, 1, 8, 0xB, 0xC, 0xE, 0x1F, 0xD800, 0xDFFF, 0xFFFE, 0xFFFF})
     void whatXmlCannotHoldBecomesAQuestionMark(int character) {
         assertEquals("a?b", XmlText.escapeText("a" + (char) character + "b"));
+        assertFalse(XmlText.isValid("a" + (char) character + "b"));
     }
 
     @ParameterizedTest
@@ -55,6 +58,7 @@ class XmlTextTest {
     void whatXmlCanHoldStays(int character) {
         String text = Character.toString(character);
         assertEquals(text, XmlText.escapeText(text));
+        assertTrue(XmlText.isValid(text));
     }
 
     @ParameterizedTest

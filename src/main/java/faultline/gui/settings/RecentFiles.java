@@ -27,7 +27,7 @@ public final class RecentFiles {
         }
     }
 
-    /** Adds a file as the newest one. One whose name has a line break is not kept. */
+    /** Adds a file as the newest one. One whose name has a line break or a control character is not kept. */
     public void add(Path file) {
         names.add(nameOf(file));
     }

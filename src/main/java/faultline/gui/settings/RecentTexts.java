@@ -1,6 +1,7 @@
 package faultline.gui.settings;
 
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import faultline.io.XmlText;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -29,10 +30,11 @@ public final class RecentTexts {
 
     /**
      * Adds a text as the newest one. One with a line break is not kept, because lines separate the texts, nor one that
-     * is longer than the preferences allow.
+     * is longer than the preferences allow. With a character that XML cannot hold, such as a control character, the
+     * platform could not read any preference again.
      */
     public void add(String text) {
-        if (text.length() <= MAX_VALUE_LENGTH && !LINE_BREAK.matcher(text).find()) {
+        if (text.length() <= MAX_VALUE_LENGTH && !LINE_BREAK.matcher(text).find() && XmlText.isValid(text)) {
             store(Stream.concat(Stream.of(text), texts().stream().filter(other -> !other.equals(text)))
                     .limit(MAX_TEXTS)
                     .toList());

@@ -51,6 +51,21 @@ class RecentFilesTest {
         assertEquals(List.of(file("room")), recent.files());
     }
 
+    /** The platform stores preferences as XML and could read none of them again. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void aNameThatXmlCannotHoldIsNotKept() {
+        recent.add(file("room"));
+        recent.add(file("a\u0001b"));
+        assertEquals(List.of(file("room")), recent.files());
+        RecentTexts commands = new WindowPreferences(new PreferenceStore(key -> texts.getOrDefault(key, ""), this::put))
+                .recentCommands();
+        for (String command : List.of("python \ud83d\ude00.py", "a\u0007b", "a\ud800b", "\udc00", "a\ufffe")) {
+            commands.add(command);
+        }
+        assertEquals(List.of("python \ud83d\ude00.py"), commands.texts());
+    }
+
     @Test
     void longNamesLeaveRoomForFewerFiles() {
         IntStream.range(0, 8).forEach(i -> recent.add(file(i + "x".repeat(200) + "/y".repeat(1000))));
