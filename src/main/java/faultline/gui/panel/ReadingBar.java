@@ -42,6 +42,9 @@ final class ReadingBar extends AccessibleComponent {
     private final ReadingKind readingKind;
     private int barWidth;
     private String text = "";
+    /** The text with as many decimals as the bar has room for. */
+    private String shownText = "";
+
     private double fillShare;
     private boolean faulty;
 
@@ -88,6 +91,7 @@ final class ReadingBar extends AccessibleComponent {
         if (newShare != fillShare || !newText.equals(text) || newFaulty != faulty) {
             fillShare = newShare;
             text = newText;
+            shownText = ReadingText.formatShort(reading);
             faulty = newFaulty;
             repaint();
         }
@@ -107,7 +111,7 @@ final class ReadingBar extends AccessibleComponent {
 
     /** Returns the displayed number. */
     String text() {
-        return text;
+        return shownText;
     }
 
     /** Returns which of the sensor's readings is shown. */
@@ -143,8 +147,8 @@ final class ReadingBar extends AccessibleComponent {
                         ? Theme.currentColours().text()
                         : Theme.currentColours().muted());
         g.drawString(
-                text,
-                barWidth - PADDING - metrics.stringWidth(text),
+                shownText,
+                barWidth - PADDING - metrics.stringWidth(shownText),
                 (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2);
     }
 }
