@@ -16,6 +16,7 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JViewport;
 import javax.swing.Scrollable;
@@ -37,7 +38,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
 
     private transient List<Lane> allLanes = List.of(Lane.OTHER);
     /** Whether the lanes of another scenario will be shown next. */
-    private boolean newScenario;
+    private boolean newScenario = true;
     /** The number of rows that the lanes take. */
     private int rowCount = 1;
     /** The layout that was used last, null before the first. */
@@ -117,14 +118,12 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             zoom.follow(followedNow, newNow);
             followedNow = newNow;
         }
-        if (otherLanes || newNow != now) {
-            allLanes = List.copyOf(newLanes);
+        if (newNow != now) {
             now = newNow;
-            lane = Math.min(lane, allLanes.size() - 1);
             repaint();
         }
         if (otherLanes) {
-            countRows();
+            setLanes(newLanes);
         }
         editor.takeRestored().ifPresent(this::select);
         if (!faultSensor.isEmpty()) {
@@ -136,6 +135,24 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
             newScenario = false;
             // When the lanes have their new height.
             EventQueue.invokeLater(this::showFirstItem);
+        }
+    }
+
+    /** Shows other lanes; the selected one stays selected if it is among them. */
+    private void setLanes(List<Lane> newLanes) {
+        int kept = newScenario ? -1 : newLanes.indexOf(selectedLane());
+        allLanes = List.copyOf(newLanes);
+        lane = kept >= 0 ? kept : Math.min(lane, allLanes.size() - 1);
+        countRows();
+        repaint();
+    }
+
+    /** Gives the selected lane the id that its sensor has in the next lanes, as returned for the present one. */
+    void renameSensors(UnaryOperator<String> presentId) {
+        if (selectedLane() instanceof Lane.SensorLane sensor) {
+            List<Lane> renamed = new ArrayList<>(allLanes);
+            renamed.set(lane, new Lane.SensorLane(presentId.apply(sensor.id())));
+            setLanes(renamed);
         }
     }
 

@@ -18,6 +18,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
@@ -207,6 +208,11 @@ public final class TimelinePanel extends JPanel {
         }
         result.add(Lane.OTHER);
         return result;
+    }
+
+    /** Gives the selected lane the id that its sensor has in the next frame, as returned for the present one. */
+    public void renameSensors(UnaryOperator<String> presentId) {
+        lanes.renameSensors(presentId);
     }
 
     /** Prepares for another scenario. */

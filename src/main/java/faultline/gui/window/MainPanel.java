@@ -132,6 +132,7 @@ final class MainPanel extends JPanel {
         controlPanel.renameSensors(presentId);
         canvas.tools().renameSensors(presentId);
         instruments.renameSensors(presentId);
+        timeline.renameSensors(presentId);
     }
 
     /** Gives what is selected the ids that obstacles have in the next frame, as returned for the present ones. */

@@ -92,6 +92,32 @@ class LaneViewTest {
         });
     }
 
+    @Test
+    void theSelectedLaneStaysSelectedWhenTheSensorsChange() {
+        Lane front = new Lane.SensorLane("front");
+        runOnEdt(() -> {
+            view.select(1, LaneLayout.NONE);
+            showLanes(front, Lane.OTHER);
+            assertEquals(front, view.selectedLane(), "left is deleted");
+            view.select(1, LaneLayout.NONE);
+            showLanes(front, new Lane.SensorLane("new"), Lane.OTHER);
+            assertEquals(Lane.OTHER, view.selectedLane(), "one is added");
+            view.select(1, LaneLayout.NONE);
+            view.renameSensors(id -> id.equals("new") ? "rear" : id);
+            showLanes(new Lane.SensorLane("left"), front, new Lane.SensorLane("rear"), Lane.OTHER);
+            assertEquals(new Lane.SensorLane("rear"), view.selectedLane(), "one is renamed, and another one restored");
+            showLanes(front, Lane.OTHER);
+            assertEquals(Lane.OTHER, view.selectedLane(), "it is deleted");
+            view.startScenario();
+            showLanes(new Lane.SensorLane("left"), front, Lane.OTHER);
+            assertEquals(new Lane.SensorLane("left"), view.selectedLane(), "the first one of another scenario");
+        });
+    }
+
+    private void showLanes(Lane... shown) {
+        view.update(List.of(shown), new TimeAxis(60, 800, 60), 0);
+    }
+
     /** A dialog that opens during a drag gets the release of the button. */
     @Test
     void aMovementWithoutAButtonEndsADrag() {
