@@ -20,13 +20,16 @@ public final class RobotPanel extends JPanel {
 
     private static final double MIN_VALUE = 0.01;
     private static final double MAX_SIZE = 10;
+    /** The decimals of the format of the velocity, so that its limit is not rounded up where it is shown. */
+    private static final double SPEED_STEPS = 1e4;
+
     private static final int COLUMN_GAP = 12;
 
     private final transient CommandSender sender;
     private final NumberSpinner speed = new NumberSpinner(
             "0.00##",
             MIN_VALUE,
-            RobotSpec.DEFAULT.motor().maxSpeed(),
+            speedLimit(RobotSpec.DEFAULT.motor().maxSpeed()),
             0.05,
             value -> sendPlatform(robot().length(), robot().width(), value));
     private final NumberSpinner length = new NumberSpinner(
@@ -73,12 +76,19 @@ public final class RobotPanel extends JPanel {
         sender.send(new Command.SetPlatform(newLength, newWidth, newSpeed));
     }
 
+    /** Returns a velocity of the motors without the decimals that the field does not show, unless nothing is left. */
+    private static double speedLimit(double motorSpeed) {
+        double rounded = Math.floor(motorSpeed * SPEED_STEPS) / SPEED_STEPS;
+        return rounded > 0 ? rounded : motorSpeed;
+    }
+
     /** Shows the current settings of the robot. */
     public void setRobot(RobotSpec robot) {
         assert EventQueue.isDispatchThread();
         if (robot.motor().maxSpeed() != maxSpeed) {
             maxSpeed = robot.motor().maxSpeed();
-            speed.setLimits(MIN_VALUE, maxSpeed, robot.speed());
+            double limit = speedLimit(maxSpeed);
+            speed.setLimits(Math.min(MIN_VALUE, limit), limit, robot.speed());
         }
         speed.setWorldValue(robot.speed());
         length.setWorldValue(robot.length());
