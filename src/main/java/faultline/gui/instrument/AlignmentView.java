@@ -33,7 +33,7 @@ public final class AlignmentView extends AccessibleComponent {
     private static final int GAP = 24;
     private static final int NUMBERS_WIDTH = 210;
     /** The distance from the left end of the names to the right end of the values. */
-    private static final int VALUE_END = 190;
+    static final int VALUE_END = 190;
 
     private static final int ROW_HEIGHT = 20;
 

@@ -26,9 +26,12 @@ import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.awt.Font;
+import java.awt.FontMetrics;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.LongStream;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -47,6 +50,30 @@ class AlignmentTraceTest {
             }
         }
         throw new AssertionError("the run never came to " + state);
+    }
+
+    /** The longest values are headings of three digits behind a sign. */
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void namesDoNotOverlapTheirValues(Language language) {
+        Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+        runOnEdt(() -> {
+            Messages.setLanguage(language);
+            try {
+                FontMetrics metrics = new JLabel().getFontMetrics(font);
+                for (TimingRule rule : TimingRule.values()) {
+                    AlignmentTrace spin =
+                            new AlignmentTrace(List.of(), -1.85, -1.05, -3.1, 10000.5, 10001.7, 0.6, 0, -3.1, rule);
+                    for (AlignmentText.NamedValue row : AlignmentText.rows(spin)) {
+                        String widest = row.value().endsWith("°") ? "\u2212178.00°" : row.value();
+                        int width = metrics.stringWidth(row.name() + " " + widest);
+                        assertTrue(width <= AlignmentView.VALUE_END, row + ": " + width + " pixels");
+                    }
+                }
+            } finally {
+                Messages.setLanguage(Language.ENGLISH);
+            }
+        });
     }
 
     @Test
