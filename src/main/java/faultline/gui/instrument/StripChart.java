@@ -49,6 +49,8 @@ public final class StripChart extends JPanel {
     private transient List<SignalGroup> groups = List.of();
     /** Adds the actions of the window to the context menu. */
     private transient Consumer<JPopupMenu> menuExtension = menu -> {};
+    /** The group that was chosen last, null for none. */
+    private transient SignalGroup shownGroup;
     /** The lines of other groups that are shown beside those of the chosen one. */
     private final transient List<ChartLine> additions = new ArrayList<>();
 
@@ -56,11 +58,8 @@ public final class StripChart extends JPanel {
     public StripChart() {
         super(new BorderLayout());
         name(choice, "strip.choice");
-        choice.addActionListener(event -> {
-            additions.clear();
-            updateSignal();
-            view.setRange(automaticRange());
-        });
+        choice.addActionListener(
+                event -> chosen().filter(group -> group != shownGroup).ifPresent(this::showGroup));
         name(add, "strip.add");
         add.addActionListener(event -> ContextMenu.show(createAdditionsMenu(), add, 0, add.getHeight()));
         name(freeze, "strip.hold");
@@ -91,6 +90,14 @@ public final class StripChart extends JPanel {
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
+    }
+
+    /** Shows another group, without the lines and the scale that were chosen for the one before. */
+    private void showGroup(SignalGroup group) {
+        shownGroup = group;
+        additions.clear();
+        updateSignal();
+        view.setRange(automaticRange());
     }
 
     private static void name(JComponent control, String key) {

@@ -44,6 +44,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
 import javax.swing.MenuElement;
@@ -166,6 +167,26 @@ class StripChartTest {
         assertEquals(
                 "Sensor starboard", callOnEdt(() -> choice.getSelectedItem().toString()));
         assertEquals(List.of("Sensor stern, reported", "reported", "true"), shownLines());
+    }
+
+    @Test
+    void choosingTheChosenSignalKeepsAddedLinesAndTheZoom() {
+        int right = 5 + 6;
+        choose(right);
+        ValueRange zoomed = ValueRange.fixed(0.2, 0.3);
+        runOnEdt(() -> {
+            addLineOfRear();
+            chart.view().setRange(zoomed);
+        });
+        choose(right);
+        runOnEdt(() -> {
+            JMenu signals = (JMenu) chart.createMenu().getComponent(0);
+            signals.getItem(right).doClick(0);
+        });
+        assertEquals(List.of("Sensor rear, reported", "reported", "true"), shownLines());
+        assertEquals(zoomed, callOnEdt(() -> chart.view().range()));
+        choose(right - 1);
+        assertEquals(List.of("reported", "true"), shownLines());
     }
 
     @Test
