@@ -43,6 +43,8 @@ final class ExpectationForm extends JPanel {
     private final JCheckBox finalBox = new JCheckBox(Messages.get("expect.form.final"));
     private final NamedChoice<FollowerState> finalState =
             new NamedChoice<>(FollowerState.values(), StateText::name, value -> {});
+    /** The states of the expectation that was shown last, in order; the form has no fields for some of them. */
+    private transient List<Expectation.VisitedState> shownStates = List.of();
     /** Conditions that the form cannot show, such as states of other controllers. */
     private transient List<Expectation.Condition> others = List.of();
 
@@ -83,6 +85,10 @@ final class ExpectationForm extends JPanel {
         rms.setWorldValue(USUAL_RMS);
         finalBox.setSelected(false);
         states.values().forEach(box -> box.setSelected(false));
+        shownStates = expectation.conditions().stream()
+                .filter(Expectation.VisitedState.class::isInstance)
+                .map(Expectation.VisitedState.class::cast)
+                .toList();
         others = new ArrayList<>(expectation.conditions());
         others.removeIf(this::show);
     }
@@ -99,18 +105,27 @@ final class ExpectationForm extends JPanel {
         if (rmsBox.isSelected()) {
             conditions.add(new Expectation.MaxDistanceRms(rms.doubleValue()));
         }
-        states.forEach((state, box) -> {
-            if (box.isSelected()) {
-                conditions.add(new Expectation.VisitedState(state));
-            }
-        });
-        others.stream().filter(Expectation.VisitedState.class::isInstance).forEach(conditions::add);
+        conditions.addAll(visitedStates());
         if (finalBox.isSelected()) {
             conditions.add(new Expectation.FinalState((FollowerState) finalState.getSelectedItem()));
         } else {
             others.stream().filter(Expectation.FinalState.class::isInstance).forEach(conditions::add);
         }
         return new Expectation(conditions);
+    }
+
+    /** Returns the expected states: those that are still expected in their order, and then the new ones. */
+    private List<Expectation.VisitedState> visitedStates() {
+        List<Expectation.VisitedState> visited = new ArrayList<>(shownStates);
+        visited.removeIf(condition -> states.containsKey(condition.state())
+                && !states.get(condition.state()).isSelected());
+        states.forEach((state, box) -> {
+            Expectation.VisitedState condition = new Expectation.VisitedState(state);
+            if (box.isSelected() && !shownStates.contains(condition)) {
+                visited.add(condition);
+            }
+        });
+        return visited;
     }
 
     /** Shows a condition in its fields, and returns whether there are fields for it. */

@@ -37,6 +37,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -124,6 +125,30 @@ class PropertiesTest {
             return form.expectation();
         });
         assertEquals(List.of(new Expectation.FinalState(FollowerState.SEARCH)), expected.conditions());
+    }
+
+    @Test
+    void expectedStatesKeepTheirOrder() {
+        List<Expectation.Condition> shown = Stream.of(
+                        FollowerState.SEARCH, ControllerState.of("dock"), FollowerState.FOLLOW, FollowerState.ALIGN)
+                .<Expectation.Condition>map(Expectation.VisitedState::new)
+                .toList();
+        runOnEdt(() -> {
+            ExpectationForm form = new ExpectationForm();
+            form.setExpectation(new Expectation(shown), List.of());
+            assertEquals(shown, form.expectation().conditions());
+            for (FollowerState state : List.of(FollowerState.ROUND, FollowerState.FOLLOW)) {
+                ComponentFinder.find(form, JCheckBox.class, StateText.name(state))
+                        .doClick();
+            }
+            assertEquals(
+                    List.of(
+                            shown.get(0),
+                            shown.get(1),
+                            shown.get(3),
+                            new Expectation.VisitedState(FollowerState.ROUND)),
+                    form.expectation().conditions());
+        });
     }
 
     @ParameterizedTest
