@@ -17,7 +17,6 @@ import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.UiText;
 import faultline.gui.timeline.CommandRole;
 import faultline.io.DecimalText;
-import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
@@ -351,10 +350,6 @@ final class BatchForm extends JPanel {
                     ? Optional.of(new FormProblem(tooManyText(), seeds.textField()))
                     : Optional.empty();
         }
-        JTextField field = faults.findInvalidField().orElse(onset);
-        return Optional.of(new FormProblem(
-                Messages.get(
-                        "number.invalid", MessageText.excerpt(field.getText().strip()), field.getToolTipText()),
-                field));
+        return Optional.of(FormProblem.ofText(faults.findInvalidField().orElse(onset)));
     }
 }

@@ -1,6 +1,8 @@
 package faultline.gui.form;
 
+import faultline.gui.text.Messages;
 import faultline.gui.theme.ScreenFit;
+import faultline.io.MessageText;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -42,7 +44,17 @@ public final class FormDialog {
      * @param sentence what is wrong; empty if the form itself shows it
      * @param field the component to correct, which gets the focus
      */
-    public record FormProblem(String sentence, Component field) {}
+    public record FormProblem(String sentence, Component field) {
+        /** Returns that the text of a field is missing or not allowed; the tool tip of the field says what is. */
+        public static FormProblem ofText(JTextField field) {
+            String text = field.getText().strip();
+            return new FormProblem(
+                    text.isEmpty()
+                            ? Messages.get("number.missing", field.getToolTipText())
+                            : Messages.get("number.invalid", MessageText.excerpt(text), field.getToolTipText()),
+                    field);
+        }
+    }
 
     /**
      * Shows a form, which scrolls if the screen is too small for it, waits for the answer, and returns whether the form
@@ -80,7 +92,7 @@ public final class FormDialog {
 
     /** Does the same as {@link #findRefusedNumber}, with a sentence about the field, which may be out of sight. */
     public static Optional<FormProblem> describeRefusedNumber(Container form) {
-        return refusedNumbers(form).findFirst().map(field -> new FormProblem(field.refusal(), field.textField()));
+        return refusedNumbers(form).findFirst().map(field -> FormProblem.ofText(field.textField()));
     }
 
     private static Stream<NumberSpinner> refusedNumbers(Container form) {

@@ -327,11 +327,6 @@ public final class NumberSpinner extends JSpinner implements PendingField {
         }
     }
 
-    /** Returns why the text is refused. */
-    String refusal() {
-        return Messages.get("number.invalid", typedText(), getToolTipText());
-    }
-
     /** Returns what is typed, short enough for a sentence. */
     private String typedText() {
         return MessageText.excerpt(textField().getText().strip());

@@ -179,6 +179,8 @@ class BatchFormTest {
                 + "between them";
         assertEquals("5.. is not allowed. " + syntax, problemOf("Start of the fault"));
         assertTrue(labels().contains("A value is not in the expected format"), labels());
+        type("Start of the fault", "");
+        assertEquals("A value is missing. " + syntax, problemOf("Start of the fault"));
     }
 
     /** A fraction was shown rounded and used truncated. */

@@ -254,6 +254,8 @@ class PropertiesTest {
             assertEquals(
                     Optional.of(new FormProblem("abc is not allowed. Width, m: 0.5 to 1000", width.textField())),
                     form.findProblem(room));
+            width.textField().setText(" ");
+            assertEquals("A value is missing. Width, m: 0.5 to 1000", sentence(form, room));
             width.textField().setText("6");
             assertEquals(Optional.of(new FormProblem("The seed is not a whole number", seed)), form.findProblem(room));
             seed.setText("1");
