@@ -1,6 +1,8 @@
 package faultline.gui.text;
 
 import faultline.io.DecimalText;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 
 /** Formats numbers for users. They have a decimal point in every language, and zero has no sign. */
@@ -11,6 +13,12 @@ public final class NumberText {
     /** Returns a text with a pattern of {@link String#format}. */
     public static String format(String pattern, Object... values) {
         return DecimalText.withoutSignOfZero(String.format(Locale.ROOT, pattern, values));
+    }
+
+    /** Returns a number with a pattern of {@link DecimalFormat}, as a field shows it, such as {@code 0.00##}. */
+    public static String ofPattern(String pattern, double value) {
+        return DecimalText.withoutSignOfZero(
+                new DecimalFormat(pattern, DecimalFormatSymbols.getInstance(Locale.ROOT)).format(value));
     }
 
     /** Returns a number with a pattern of {@link String#format}, or a dash for NaN. */

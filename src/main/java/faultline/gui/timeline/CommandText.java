@@ -6,6 +6,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 
 /** Describes commands in the user's language. */
@@ -17,12 +18,7 @@ public final class CommandText {
     public static String format(Command command) {
         return command.match(new Command.CommandCases<>(
                 switchSensor -> Messages.get(switchSensor.on() ? "command.on" : "command.off", switchSensor.sensor()),
-                configureSensor -> Messages.get(
-                        "command.tune",
-                        configureSensor.sensor().id(),
-                        NumberText.format("%.2f", configureSensor.sensor().range()),
-                        NumberText.format(
-                                "%.1f", Math.toDegrees(configureSensor.sensor().cone()))),
+                configureSensor -> sensorText(configureSensor.sensor()),
                 injectFault ->
                         Messages.get("command.inject", injectFault.sensor(), FaultText.format(injectFault.fault())),
                 clearFault -> Messages.get("command.clear", clearFault.sensor(), FaultText.format(clearFault.fault())),
@@ -44,9 +40,22 @@ public final class CommandText {
                         "command.platform",
                         NumberText.format("%.3f", setPlatform.length()),
                         NumberText.format("%.3f", setPlatform.width()),
-                        NumberText.format("%.2f", setPlatform.speed())),
+                        NumberText.ofPattern("0.00##", setPlatform.speed())),
                 configureController ->
                         Messages.get("command.controller", ControllerText.format(configureController.controller()))));
+    }
+
+    /** Names all settings, because a command does not say which of them it changes. */
+    private static String sensorText(SensorSpec sensor) {
+        return Messages.get(
+                "command.tune",
+                sensor.id(),
+                NumberText.ofPattern("0.00##", sensor.range()),
+                NumberText.ofPattern("0.0##", Math.toDegrees(sensor.cone())),
+                NumberText.ofPattern("0.0##", Math.toDegrees(sensor.bearing())),
+                NumberText.ofPattern("0.00##", sensor.mountPosition().x()),
+                NumberText.ofPattern("0.00##", sensor.mountPosition().y()),
+                NumberText.ofPattern("0.000##", sensor.noise()));
     }
 
     private static String motorText(String key, MotorSide motor, MotorFault fault) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.gui.EdtChecker;
 import faultline.gui.form.NumberSpinner;
 import faultline.robot.MotorFault;
@@ -140,11 +141,16 @@ class CommandRoleTest {
     }
 
     @Test
-    void theLabelOfSettingsOfASensorHasItsRangeAndItsCone() {
+    void theLabelOfSettingsOfASensorHasAllThatCanBeChanged() {
         SensorSpec front = RobotSpec.DEFAULT.sensor("front").orElseThrow();
-        SensorSpec changed =
-                front.withRange(0.62).withCone(Degrees.toRadians(12.5)).withNoise(0.03);
-        assertEquals("front set to 0.62 m and 12.5°", CommandText.format(new Command.ConfigureSensor(changed)));
+        SensorSpec changed = front.withRange(0.625)
+                .withCone(Degrees.toRadians(12.5))
+                .withBearing(Degrees.toRadians(-4))
+                .withMountPosition(new Vector2(0.1, -0.025))
+                .withNoise(0.0025);
+        assertEquals(
+                "front: range 0.625 m, cone 12.5°, bearing -4.0°, at 0.10, -0.025 m, noise 0.0025 m",
+                CommandText.format(new Command.ConfigureSensor(changed)));
     }
 
     @Test
