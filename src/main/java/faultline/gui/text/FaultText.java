@@ -5,10 +5,7 @@ import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultDescriptor;
-import java.text.DecimalFormat;
-import java.text.DecimalFormatSymbols;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Describes the faults of sensors and motors in the user's language. */
@@ -52,7 +49,10 @@ public final class FaultText {
 
     /** Formats a fault of a sensor, for example "stuck 0.40 m". */
     public static String format(Fault fault) {
-        return format(nameOf(fault.kind()), fault.kind(), fault.value());
+        String text = format(nameOf(fault.kind()), fault.kind(), fault.value());
+        return fault.kind().takesLength()
+                ? Messages.get("faults.withLength", text, NumberText.ofPattern(NUMBER_PATTERN, fault.length()))
+                : text;
     }
 
     /** Formats a fault of motors, for example "weak 0.70". */
@@ -65,7 +65,7 @@ public final class FaultText {
         if (!kind.takesValue()) {
             return name;
         }
-        String number = new DecimalFormat(NUMBER_PATTERN, DecimalFormatSymbols.getInstance(Locale.ROOT)).format(value);
+        String number = NumberText.ofPattern(NUMBER_PATTERN, value);
         boolean sign = unitOf(kind).equals(DEGREES);
         return (name + " " + number + (sign ? "" : " ") + unitOf(kind)).strip();
     }
