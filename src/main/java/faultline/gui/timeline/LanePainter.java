@@ -273,7 +273,7 @@ final class LanePainter {
         g.fill(new Rectangle2D.Double(from, lanes.top(), Math.max(1, to - from), view.getHeight()));
         g.setFont(font.deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
-        String text = TimelineText.times(item);
+        String text = TimelineText.times(item, view.tickLength());
         double width = metrics.stringWidth(text) + 2.0 * LABEL_ROOM;
         double left = Math.max(0, Math.min(view.getWidth() - width, (from + to - width) / 2));
         g.setColor(theme.colours().accent());

@@ -280,6 +280,11 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         return zoom.axis();
     }
 
+    /** Returns the length of a tick, seconds. */
+    double tickLength() {
+        return editor.tickLength();
+    }
+
     double now() {
         return now;
     }
@@ -351,7 +356,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
     private void describe() {
         getAccessibleContext()
                 .setAccessibleDescription(selectedItem()
-                        .map(TimelineText::description)
+                        .map(item -> TimelineText.description(item, tickLength()))
                         .orElseGet(() -> Messages.get(
                                 "timeline.lane",
                                 selectedLane().label(),
@@ -368,7 +373,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         LaneLayout lanes = lanes();
         LaneLayout.ItemHit hit = hit(event.getPoint());
         if (hit != null) {
-            return TimelineText.description(lanes.items().get(hit.index()));
+            return TimelineText.description(lanes.items().get(hit.index()), tickLength());
         }
         boolean other = isBelowRuler(event.getY()) && lanes.laneAt(event.getY()) >= allLanes.size() - 1;
         return Messages.get(other ? "timeline.tip.other" : "timeline.tip");

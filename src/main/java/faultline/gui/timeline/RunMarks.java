@@ -129,6 +129,6 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items) {
                 theme -> item.isInterval()
                         ? item.colours(theme.palette(), robot).outline()
                         : theme.palette().muted(),
-                TimelineText.description(item));
+                TimelineText.description(item, frame.dt()));
     }
 }

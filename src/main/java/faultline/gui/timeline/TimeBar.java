@@ -4,6 +4,7 @@ import faultline.engine.Frame;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
+import faultline.gui.text.NumberText;
 import faultline.gui.theme.FlatSliderUI;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SliderMark;
@@ -13,7 +14,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.event.MouseEvent;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
@@ -30,6 +30,8 @@ public final class TimeBar extends JPanel {
 
     private static final int GAP = 10;
     private static final int MARK_REACH = 3;
+    /** The digits before the point that a time has room for, and the point. */
+    private static final int WHOLE_WIDTH = 6;
 
     private final JSlider slider = new TimeSlider();
     private final JLabel currentTimeLabel = new JLabel(timeText(0)) {
@@ -156,7 +158,10 @@ public final class TimeBar extends JPanel {
     void setFrame(SessionFrame frame, long furthest) {
         assert EventQueue.isDispatchThread();
         newestFrame = frame;
-        dt = frame.dt();
+        if (frame.dt() != dt) {
+            dt = frame.dt();
+            updateToolTip();
+        }
         if (!isAdjusting()) {
             updating = true;
             slider.setMaximum(toSliderValue(Math.max(furthest, frame.snapshot().tick())));
@@ -201,6 +206,11 @@ public final class TimeBar extends JPanel {
         return tick * dt;
     }
 
+    /** Returns the time of a tick as text, seconds. */
+    String tickText(long tick) {
+        return NumberText.seconds(timeOf(tick), dt);
+    }
+
     /** Returns the tick at the end of the slider. */
     long end() {
         return slider.getMaximum();
@@ -225,8 +235,9 @@ public final class TimeBar extends JPanel {
         return (int) Math.min(Integer.MAX_VALUE - 1, tick);
     }
 
-    private static String timeText(double seconds) {
-        return String.format(Locale.ROOT, "%8.2f s", seconds);
+    private String timeText(double seconds) {
+        int decimals = NumberText.decimals(dt);
+        return NumberText.format("%" + (WHOLE_WIDTH + decimals) + "." + decimals + "f s", seconds);
     }
 
     private void onSliderChanged() {

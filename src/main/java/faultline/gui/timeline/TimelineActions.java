@@ -7,7 +7,6 @@ import faultline.gui.action.UiAction;
 import faultline.gui.document.RunNavigator;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
-import faultline.gui.text.NumberText;
 import java.awt.event.KeyEvent;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
@@ -81,9 +80,7 @@ public final class TimelineActions implements WorkspaceListener {
     private void goTo(long tick) {
         if (navigator.seekIfIdle(tick)) {
             notifier.accept(Messages.get(
-                    "note.event",
-                    NumberText.format("%.2f", timeline.timeOf(tick)),
-                    timeline.stops().text(tick)));
+                    "note.event", timeline.tickText(tick), timeline.stops().text(tick)));
         }
     }
 

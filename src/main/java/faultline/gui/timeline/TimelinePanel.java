@@ -135,11 +135,11 @@ public final class TimelinePanel extends JPanel {
 
     /** Shows the part of the run with a tick, unless it is visible. */
     void showTick(long tick) {
-        lanes.zoom().showTime(timeOf(tick));
+        lanes.zoom().showTime(bar.timeOf(tick));
     }
 
-    double timeOf(long tick) {
-        return bar.timeOf(tick);
+    String tickText(long tick) {
+        return bar.tickText(tick);
     }
 
     /** Returns the ticks with a mark. */

@@ -45,9 +45,9 @@ final class TimelineText {
         return fault ? Messages.get("faults.kind") : title(item);
     }
 
-    /** Returns the name and the times. */
-    static String description(TimelineItem item) {
-        return name(item) + ", " + times(item);
+    /** Returns the name and the times, given the length of a tick, seconds. */
+    static String description(TimelineItem item, double dt) {
+        return name(item) + ", " + times(item, dt);
     }
 
     /** Returns what happens at the start of an item. */
@@ -60,13 +60,14 @@ final class TimelineText {
         return Messages.get("timeline.ends", name(item));
     }
 
-    /** Returns the times, for example "20.00 – 40.00 s". */
-    static String times(TimelineItem item) {
+    /** Returns the times, for example "20.00 – 40.00 s", given the length of a tick, seconds. */
+    static String times(TimelineItem item, double dt) {
+        String start = NumberText.seconds(item.start(), dt);
         if (!item.isInterval()) {
-            return NumberText.format("%.2f", item.start()) + " s";
+            return start + " s";
         }
         return item.isOpen()
-                ? Messages.get("timeline.from", NumberText.format("%.2f", item.start()))
-                : NumberText.format("%.2f", item.start()) + " – " + NumberText.format("%.2f", item.end()) + " s";
+                ? Messages.get("timeline.from", start)
+                : start + " – " + NumberText.seconds(item.end(), dt) + " s";
     }
 }

@@ -180,13 +180,29 @@ class TimeBarTest {
     void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
         runOnEdt(run::restart);
         waitForTick(0);
+        runOnEdt(() -> bar.setFrame(startWithTicksOf(0.02), 1200));
+        assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(this::shownTimes));
+    }
+
+    @Test
+    void timesAreShownToTheTick() {
+        runOnEdt(run::restart);
+        waitForTick(0);
+        runOnEdt(() -> bar.setFrame(startWithTicksOf(0.0125), 3));
+        assertEquals(List.of("0.0000 s", "0.0375 s"), callOnEdt(this::shownTimes));
+        assertEquals("0.0250", callOnEdt(() -> bar.tickText(2)));
+    }
+
+    private SessionFrame startWithTicksOf(double dt) {
         SessionFrame start = SessionFrames.frame(workspace);
-        SessionFrame longerTick = new SessionFrame(
-                start.frame(), start.recording(), start.measures(), start.controller(), start.controllerName(), 0.02);
-        runOnEdt(() -> bar.setFrame(longerTick, 1200));
-        assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(() -> ComponentFinder.findAll(bar, JLabel.class)
+        return new SessionFrame(
+                start.frame(), start.recording(), start.measures(), start.controller(), start.controllerName(), dt);
+    }
+
+    private List<String> shownTimes() {
+        return ComponentFinder.findAll(bar, JLabel.class)
                 .map(label -> label.getText().strip())
-                .toList()));
+                .toList();
     }
 
     private void waitForTick(long tick) {

@@ -15,6 +15,14 @@ class TimelineTextTest {
     }
 
     @Test
+    void timesThatDifferByATickDiffer() {
+        TimelineItem item =
+                TimelineItem.from(new Command.SwitchSensor("left", false), 0).withTimes(20.001, 20.004);
+        assertEquals("20.001 – 20.004 s", TimelineText.times(item, 0.001));
+        assertTrue(TimelineText.description(item, 0.0005).endsWith(", 20.0010 – 20.0040 s"));
+    }
+
+    @Test
     void theTitleOfAMoveIsNotAsLongAsTheIdOfTheObstacle() {
         assertEquals("chair moved", titleOfMove("chair"));
         String title = titleOfMove("chair-".repeat(16));
