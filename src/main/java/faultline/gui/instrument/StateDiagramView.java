@@ -29,6 +29,7 @@ import java.awt.font.TextAttribute;
 import java.awt.font.TextLayout;
 import java.text.AttributedString;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import javax.accessibility.AccessibleRole;
 import javax.swing.ToolTipManager;
 
@@ -75,7 +76,7 @@ public final class StateDiagramView extends AccessibleComponent {
         }
     }
 
-    private static String accessibleText(SessionFrame newest) {
+    private String accessibleText(SessionFrame newest) {
         boolean isForeign = !isFollower(newest) && !(newest.controller() instanceof ControllerSpec.BuiltIn);
         String now = isForeign
                 ? foreignText(newest)
@@ -83,7 +84,15 @@ public final class StateDiagramView extends AccessibleComponent {
         return now
                 + DiagramPainter.lastTransition(newest)
                         .map(last -> ". " + DiagramPainter.transitionText(last))
-                        .orElse("");
+                        .orElse("")
+                + (isFollower(newest) ? ". " + arrowTexts(newest.recording().stateTally()) : "");
+    }
+
+    /** Describes all arrows, whose conditions are otherwise in tool tips only. */
+    private String arrowTexts(StateTally tally) {
+        return DiagramPainter.arrows(tally).stream()
+                .map(arrow -> arrowText(arrow, tally.transitionCount(arrow.from(), arrow.to())))
+                .collect(Collectors.joining("; "));
     }
 
     /** Returns whether the wall follower drives, or has stopped because it has no strategy left. */

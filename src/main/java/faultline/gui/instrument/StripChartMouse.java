@@ -12,7 +12,8 @@ import javax.swing.SwingUtilities;
 
 /**
  * The mouse and keyboard input of a strip chart: the wheel zooms at the cursor, dragging and the arrow keys scroll
- * through time, and the cursor shows values. With Ctrl they act on the vertical axis.
+ * through time, and the cursor shows values. With Ctrl the mouse acts on the vertical axis, and with Shift or Ctrl the
+ * keys act on it or move the cursor.
  */
 final class StripChartMouse extends MouseAdapter implements FocusListener {
 
@@ -46,6 +47,11 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
         bindKey("menu DOWN", () -> view.zoomValues(ZOOM_FACTOR, HALF));
         bindKey("shift UP", () -> view.moveValues(PAN_STEP));
         bindKey("shift DOWN", () -> view.moveValues(-PAN_STEP));
+        bindKey("shift LEFT", () -> view.movePointer(-1, 0));
+        bindKey("shift RIGHT", () -> view.movePointer(1, 0));
+        bindKey("menu LEFT", () -> view.movePointer(-1, PAN_STEP));
+        bindKey("menu RIGHT", () -> view.movePointer(1, PAN_STEP));
+        KeyBindings.bind(view, "ESCAPE", view::hasPointer, view::removePointer);
         bindKey("END", () -> freezeHandler.accept(false));
         bindKey("shift F10", this::showMenuAtCentre);
         bindKey("CONTEXT_MENU", this::showMenuAtCentre);

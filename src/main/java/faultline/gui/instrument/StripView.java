@@ -17,7 +17,6 @@ import java.awt.geom.AffineTransform;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
 import javax.accessibility.AccessibleRole;
 
 /** The plot area of a strip chart. It follows the newest frame, or is held over a past time span. */
@@ -67,10 +66,16 @@ final class StripView extends AccessibleComponent {
 
     void setSignal(SignalGroup chosen) {
         signal = chosen;
-        getAccessibleContext()
-                .setAccessibleDescription(chosen.name() + ": "
-                        + chosen.lines().stream().map(ChartLine::name).collect(Collectors.joining(", ")));
+        describe();
         repaint();
+    }
+
+    /** Names the lines for a screen reader, with their values at the pointer if there are any. */
+    private void describe() {
+        List<String> values = tooltip();
+        List<String> shown =
+                values.isEmpty() ? signal.lines().stream().map(ChartLine::name).toList() : values;
+        getAccessibleContext().setAccessibleDescription(signal.name() + ": " + String.join(", ", shown));
     }
 
     /** Sets the faults, switches and moves that are marked behind the lines. */
@@ -150,16 +155,48 @@ final class StripView extends AccessibleComponent {
         repaint();
     }
 
+    /** Returns whether values are shown at a pointer. */
+    boolean hasPointer() {
+        return !Double.isNaN(pointer);
+    }
+
+    /** Hides the values at the pointer, also for a screen reader. */
+    void removePointer() {
+        setPointer(NOWHERE);
+        describe();
+    }
+
+    /**
+     * Shows the values before or after those that are shown, also to a screen reader; the newest ones if none are
+     * shown.
+     *
+     * @param direction -1 for earlier values, 1 for later ones
+     * @param share the share of the time span to move by; if it is less than a pixel or one value, these count
+     */
+    void movePointer(int direction, double share) {
+        scale().filter(scale -> !scale.isEmpty()).ifPresent(scale -> {
+            StripData data = scale.data();
+            double bucketLength = data.level().ticksPerBucket() * data.dt();
+            double pixel = span.length() / scale.plot().area().width();
+            long buckets = Math.round(Math.max(bucketLength, Math.max(pixel, share * span.length())) / bucketLength);
+            long newest = data.to() - 1;
+            long wanted = hasPointer() ? data.bucketAt(span.timeAt(shareAt(pointer))) + direction * buckets : newest;
+            double time = data.timeOf(Math.max(data.from(), Math.min(newest, wanted)));
+            setPointer(scale.plot().x(time) * imageScale());
+            describe();
+        });
+    }
+
     /** Returns the values shown at the cursor; empty if there are none. */
     List<String> tooltip() {
         return scale().flatMap(this::tooltip).map(ChartTooltip::lines).orElse(List.of());
     }
 
     private Optional<ChartTooltip> tooltip(StripScale scale) {
-        return Double.isNaN(pointer)
-                ? Optional.empty()
-                : Optional.of(new ChartTooltip(scale, span.timeAt(shareAt(pointer))))
-                        .filter(out -> !scale.isEmpty() && !out.isEmpty());
+        return hasPointer()
+                ? Optional.of(new ChartTooltip(scale, span.timeAt(shareAt(pointer))))
+                        .filter(out -> !scale.isEmpty() && !out.isEmpty())
+                : Optional.empty();
     }
 
     private double imageScale() {

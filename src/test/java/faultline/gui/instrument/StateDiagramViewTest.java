@@ -154,11 +154,16 @@ class StateDiagramViewTest {
     }
 
     @Test
-    void whatWasTakenLastIsSaidForReadersOfTheScreen() {
+    void whatWasTakenLastAndAllArrowsAreSaidForReadersOfTheScreen() {
         picture(FRAME);
-        assertEquals(
-                "State Follow. Align → Follow: turned back for t_p, spin died out",
-                callOnEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+        String description = callOnEdt(() -> view.getAccessibleContext().getAccessibleDescription());
+        String first =
+                "State Follow. Align → Follow: turned back for t_p, spin died out. Search → Turn: wall met (1×); ";
+        assertTrue(description.startsWith(first), description);
+        for (Arrow arrow : StateDiagram.TRANSITIONS) {
+            String text = StateText.transition(arrow.from(), arrow.to(), arrow.condition()) + " (";
+            assertTrue(description.contains(text), text + " in " + description);
+        }
     }
 
     @Test

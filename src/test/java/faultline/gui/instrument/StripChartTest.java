@@ -26,6 +26,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
@@ -47,6 +48,7 @@ import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import javax.swing.MenuElement;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -404,6 +406,52 @@ class StripChartTest {
             BufferedImage image = SampleRuns.render(fresh, 700, HEIGHT);
             return image.getSubimage(0, 0, 700, fresh.view().getY());
         });
+    }
+
+    private void press(String key) {
+        runOnEdt(() -> {
+            StripView view = chart.view();
+            Object name = view.getInputMap().get(KeyStroke.getKeyStroke(key));
+            assertTrue(view.getActionMap().get(name).isEnabled());
+            view.getActionMap().get(name).actionPerformed(new ActionEvent(view, 0, key));
+        });
+    }
+
+    private String description() {
+        return callOnEdt(() -> chart.view().getAccessibleContext().getAccessibleDescription());
+    }
+
+    @Test
+    void keysShowTheValuesAndSayThem() {
+        String lines = "Distance to the wall: target, distance used";
+        assertEquals(lines, description());
+        press("shift LEFT");
+        assertTrue(description().startsWith("Distance to the wall: t 20.000 s, distance used 0.2"), description());
+        press("shift LEFT");
+        assertTrue(
+                description().startsWith("Distance to the wall: t 19.980 s, "), "a pixel is 0.02 s: " + description());
+        press("ctrl LEFT");
+        assertEquals("t 18.980 s", callOnEdt(() -> chart.view().tooltip()).get(0));
+        press("shift RIGHT");
+        assertEquals("t 19.000 s", callOnEdt(() -> chart.view().tooltip()).get(0));
+        press("ctrl RIGHT");
+        press("ctrl RIGHT");
+        assertTrue(description().startsWith("Distance to the wall: t 20.000 s, "), description());
+        press("ESCAPE");
+        assertEquals(lines, description());
+        assertEquals(List.of(), callOnEdt(() -> chart.view().tooltip()));
+    }
+
+    @Test
+    void keysReachEveryTickOfAShortSpan() {
+        runOnEdt(() -> chart.view().setSpan(new TimeSpan(19.8, 0.2)));
+        press("shift LEFT");
+        for (int tick = 1999; tick > 1985; tick--) {
+            press("shift LEFT");
+            assertEquals(
+                    String.format(Locale.ROOT, "t %.3f s", tick / 100.0),
+                    callOnEdt(() -> chart.view().tooltip()).get(0));
+        }
     }
 
     @Test
