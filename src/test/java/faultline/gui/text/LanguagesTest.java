@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Properties;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -75,6 +76,19 @@ class LanguagesTest {
                 .filter(key -> text(ENGLISH, key).equals(text(POLISH, key)))
                 .toList();
         assertEquals(List.of(), same);
+    }
+
+    /** See the glossary: the time line is a part of the window, the timeline one of the scenario. */
+    @Test
+    void timeLineAndTimelineHaveOnePolishTermEach() {
+        Pattern timeLine = Pattern.compile("(?i)\\blini\\p{L} czasu");
+        Pattern timeline = Pattern.compile("(?i)\\bo(?:ś|si|sią) czasu");
+        keys().forEach(key -> {
+            String english = ENGLISH.getProperty(key).toLowerCase(Locale.ROOT);
+            String polish = POLISH.getProperty(key);
+            assertEquals(english.contains("timeline"), timeline.matcher(polish).find(), key + "=" + polish);
+            assertTrue(!timeLine.matcher(polish).find() || english.contains("time line"), key + "=" + polish);
+        });
     }
 
     @Test
