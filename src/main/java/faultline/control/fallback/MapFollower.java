@@ -31,6 +31,12 @@ public final class MapFollower {
     /** The distance by which it leaves a wall that is too near while it drives as far as it looks ahead, metres. */
     private static final double STEP_AWAY = 0.1;
 
+    /**
+     * A robot that touches a wall with its turning circle gets at least this much farther away within the distance that
+     * it looks ahead, metres: somewhat less than that distance, because surfaces are enlarged to whole cells.
+     */
+    private static final double REACHED_WITHOUT_STEPS = 0.18;
+
     /** The amount by which the distance may become less while the robot keeps it: one cell of the map, metres. */
     private static final double MAY_COME_NEARER = 0.025;
 
@@ -194,15 +200,15 @@ public final class MapFollower {
 
     /**
      * Finds the first direction that keeps the wanted distance. If there is none, the passage is narrow, or the robot
-     * is so near to the wall that it does not get far enough away within the distance that it looks ahead. With a large
-     * wanted distance it then moves away step by step, or keeps the distance that it has.
+     * is so near to the wall that it does not get far enough away within the distance that it looks ahead. If the
+     * wanted distance makes this possible, it then moves away step by step, or keeps the distance that it has.
      */
     private boolean findOpenDirection() {
         if (findOpenDirection(plannedDistance())) {
             return true;
         }
         double least = Steering.turningRadius(robot);
-        if (diagnosis.reach().isLarge()) {
+        if (plannedDistance() > least + REACHED_WITHOUT_STEPS) {
             double distance = map.toSurface(at.x(), at.y());
             if (findOpenDirection(Math.min(plannedDistance(), distance + STEP_AWAY))
                     || findOpenDirection(Math.max(least, distance - MAY_COME_NEARER))) {

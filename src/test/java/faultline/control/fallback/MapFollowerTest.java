@@ -1,0 +1,77 @@
+package faultline.control.fallback;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The distance that the local map keeps after the left sensor has failed. */
+class MapFollowerTest {
+
+    private static final double LENGTH = 12;
+    private static final double WIDTH = 9;
+
+    private static final TimedCommand LEFT_FAILS =
+            new TimedCommand(30, new Command.InjectFault("left", new Fault.Dead()));
+
+    private static SimulationSetup room(List<Obstacle> obstacles, Pose start) {
+        return SimulationSetup.of(new WorldSpec(LENGTH, WIDTH, true, 3, obstacles), start);
+    }
+
+    /** Returns the distance from the centre to the nearest wall of an empty room. */
+    private static double toWall(Pose pose) {
+        return Math.min(Math.min(pose.x(), LENGTH - pose.x()), Math.min(pose.y(), WIDTH - pose.y()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.25, 0.4, 0.5, 0.6, 0.75})
+    void theDistanceIsKeptAlongWallsAndInCorners(double wanted) {
+        SimulationSetup setup = room(List.of(), new Pose(6, 4.5, 0))
+                .withController(WallFollowing.DEFAULT.withDistance(wanted))
+                .withTimeline(List.of(LEFT_FAILS));
+        int ticks = 0;
+        int near = 0;
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            while (simulation.time() < 90) {
+                simulation.tick();
+                if (simulation.time() > 45) {
+                    ticks++;
+                    double error = toWall(simulation.pose()) - RobotSpec.DEFAULT.width() / 2 - wanted;
+                    near += Math.abs(error) < 0.1 ? 1 : 0;
+                }
+            }
+            assertEquals("THREE", simulation.telemetry().diagnosis().rung());
+        }
+        assertTrue(near > 0.95 * ticks, near + " of " + ticks);
+    }
+
+    @Test
+    void aDistanceThatIsChangedOnTheLocalMapIsReached() {
+        SimulationSetup setup = room(List.of(), new Pose(6, 4.5, 0))
+                .withTimeline(List.of(
+                        LEFT_FAILS,
+                        new TimedCommand(
+                                40, new Command.ConfigureController(WallFollowing.DEFAULT.withDistance(0.6)))));
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            while (simulation.time() < 55) {
+                simulation.tick();
+            }
+            assertEquals(0.7, toWall(simulation.pose()), 0.1);
+        }
+    }
+}
