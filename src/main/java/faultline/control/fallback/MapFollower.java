@@ -238,9 +238,12 @@ public final class MapFollower {
         return Angles.difference(driveDirection.leading(at.heading()), direction);
     }
 
-    /** Returns the planned distance from the centre to the nearest surface in the map, metres. */
+    /**
+     * Returns the planned distance from the centre to the nearest surface in the map, metres. It is not less than the
+     * robot needs to turn.
+     */
     private double plannedDistance() {
-        return wantedCentreDistance - COARSENESS;
+        return Math.max(Steering.turningRadius(robot), wantedCentreDistance - COARSENESS);
     }
 
     /** Returns the wanted distance, and that of the nearest surface in the map, measured in the same way. */

@@ -9,6 +9,8 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
+import faultline.robot.DriveScale;
+import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -72,6 +74,33 @@ class MapFollowerTest {
                 simulation.tick();
             }
             assertEquals(0.7, toWall(simulation.pose()), 0.1);
+        }
+    }
+
+    /** The corners of this robot are 0.47 m from its centre, which the default distance keeps 0.5 m from the wall. */
+    @Test
+    void aLongRobotKeepsTheRoomThatItNeedsToTurn() {
+        RobotSpec robot = new RobotSpec(
+                0.8,
+                0.5,
+                0.45,
+                0.3,
+                StrictMath.toRadians(60),
+                MotorSpec.DEFAULT,
+                DriveScale.NONE,
+                RobotSpec.standardSensors(0.8, 0.5));
+        Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(1.5, 1.5), new Pose(2.5, 5.5, 0.5));
+        for (int degrees = 0; degrees < 360; degrees += 40) {
+            SimulationSetup setup = room(List.of(box), new Pose(6, 3, StrictMath.toRadians(degrees)))
+                    .withRobot(robot)
+                    .withTimeline(List.of(LEFT_FAILS));
+            try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+                while (simulation.time() < 120 && simulation.collision().isEmpty()) {
+                    simulation.tick();
+                }
+                int start = degrees;
+                assertTrue(simulation.collision().isEmpty(), () -> start + " degrees: " + simulation.time() + " s");
+            }
         }
     }
 }
