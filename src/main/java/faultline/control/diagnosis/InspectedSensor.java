@@ -24,6 +24,8 @@ final class InspectedSensor {
         if (cone == null || !newCone.equals(cone)) {
             cone = newCone;
             table = new ConeTable(newCone);
+            // A surface that the earlier cone saw need not lie on an arc of this one.
+            measurements.forget();
         }
     }
 

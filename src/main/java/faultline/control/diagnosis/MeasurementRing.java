@@ -13,6 +13,7 @@ final class MeasurementRing {
 
     private final double[] data = new double[SIZE * FIELDS];
     private int count;
+    private int forgotten;
 
     void add(double x, double y, double axis, double axisCos, double axisSin, double reading, double clock) {
         int slot = (count++ & SIZE - 1) * FIELDS;
@@ -25,6 +26,11 @@ final class MeasurementRing {
         data[slot + 6] = clock;
     }
 
+    /** Forgets all measurements; they still count as added. */
+    void forget() {
+        forgotten = count;
+    }
+
     /** Returns the number of measurements that were ever added. */
     int count() {
         return count;
@@ -32,7 +38,7 @@ final class MeasurementRing {
 
     /** Returns whether there is a measurement of some age, counted in measurements, 0 for the last. */
     boolean has(int age) {
-        return age < Math.min(count, SIZE);
+        return age < Math.min(count - forgotten, SIZE);
     }
 
     private double field(int age, int field) {

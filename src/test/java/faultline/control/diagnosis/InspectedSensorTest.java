@@ -1,8 +1,10 @@
 package faultline.control.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
@@ -23,5 +25,15 @@ class InspectedSensorTest {
         assertEquals(cone(-100), sensor.cone());
         assertEquals(3, sensor.index());
         assertEquals(8, sensor.bit());
+    }
+
+    @Test
+    void theMeasurementsOfAnotherConeAreForgotten() {
+        InspectedSensor sensor = new InspectedSensor(3, cone(0));
+        sensor.measurements().add(0, 0, 0, 1, 0, 0.5, 0);
+        sensor.refit(cone(0));
+        assertTrue(sensor.measurements().has(0));
+        sensor.refit(cone(-100));
+        assertFalse(sensor.measurements().has(0));
     }
 }

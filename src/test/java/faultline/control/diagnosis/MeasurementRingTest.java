@@ -28,4 +28,19 @@ class MeasurementRingTest {
             assertFalse(ring.has(Math.min(i, 32)));
         }
     }
+
+    @Test
+    void forgottenMeasurementsCountAsAdded() {
+        MeasurementRing ring = new MeasurementRing();
+        ring.add(1, 0, 0, 0, 0, 0, 0);
+        ring.add(2, 0, 0, 0, 0, 0, 0);
+        ring.forget();
+        assertFalse(ring.has(0));
+        assertEquals(2, ring.count());
+        ring.add(3, 0, 0, 0, 0, 0, 0);
+        assertTrue(ring.has(0));
+        assertEquals(3, ring.x(0));
+        assertFalse(ring.has(1));
+        assertEquals(3, ring.count());
+    }
 }
