@@ -2,6 +2,7 @@ package faultline.control;
 
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.WheelSpeeds;
 
 /**
  * Computes from the voltages and the model of the motors how far the robot has rolled and turned. Works in a frame in
@@ -29,6 +30,21 @@ public final class Odometer {
 
     /** Creates an odometer of a robot at rest. */
     public Odometer() {}
+
+    /**
+     * Sets the speeds of the wheels of a robot that already moves.
+     *
+     * @param speeds the speeds, those of the side next to the wall as the left ones
+     */
+    public void setWheels(WheelSpeeds speeds) {
+        leftSpeed = speeds.left();
+        rightSpeed = speeds.right();
+    }
+
+    /** {@return the speeds of the wheels now, those of the side next to the wall as the left ones} */
+    public WheelSpeeds wheels() {
+        return new WheelSpeeds(leftSpeed, rightSpeed);
+    }
 
     /**
      * Updates the estimate after voltages have acted for some ticks.

@@ -9,7 +9,7 @@ import java.util.function.Function;
  * can be closed.
  *
  * <p>A controller of the program can get other settings between two decisions. It keeps its state if possible;
- * otherwise a new controller in its initial state replaces it.
+ * otherwise a new controller in its initial state replaces it, which learns how fast the wheels turn.
  */
 public final class PeriodicController implements Controller, AutoCloseable {
 
@@ -19,7 +19,14 @@ public final class PeriodicController implements Controller, AutoCloseable {
     private BuiltIn settings;
     private Controller delegate;
     private double period;
+    /** Null before the first decision of the present controller. */
     private Decision lastDecision;
+
+    /** The wheels, the tick at which they were computed and the decision that has acted since, of any controller. */
+    private final Odometer odometer = new Odometer();
+
+    private long lastTick;
+    private Decision acting;
 
     /**
      * Creates a controller that asks another at a period, rounded to whole ticks, at least one.
@@ -56,9 +63,30 @@ public final class PeriodicController implements Controller, AutoCloseable {
     public Decision decide(Observation observation) {
         Decision held = heldDecision(observation.tick(), observation.dt());
         if (held == null) {
+            if (factory != null) {
+                updateWheels(observation);
+            }
             lastDecision = delegate.decide(observation);
+            acting = lastDecision;
         }
         return lastDecision;
+    }
+
+    private void updateWheels(Observation observation) {
+        boolean replaced = lastDecision == null && lastTick > 0;
+        if (acting != null) {
+            odometer.advance(
+                    observation.robot(),
+                    acting.leftVolts(),
+                    acting.rightVolts(),
+                    observation.dt(),
+                    observation.tick() - lastTick);
+        }
+        lastTick = observation.tick();
+        // One that replaces the first controller before its second decision begins as if it were the first one.
+        if (replaced && delegate instanceof Successor successor) {
+            successor.begin(lastTick, odometer.wheels());
+        }
     }
 
     /**

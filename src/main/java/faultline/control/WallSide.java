@@ -1,5 +1,6 @@
 package faultline.control;
 
+import faultline.robot.WheelSpeeds;
 import java.util.Locale;
 
 /** The side of the robot on which the wall is. */
@@ -21,6 +22,16 @@ public enum WallSide {
      */
     public double sign() {
         return sign;
+    }
+
+    /**
+     * {@return the speeds of the wheels in a frame in which the wall is on the left: those of the side of the wall as
+     * the left ones}
+     *
+     * @param wheels the speeds of the left and the right wheels of the robot
+     */
+    public WheelSpeeds nearAndFar(WheelSpeeds wheels) {
+        return this == LEFT ? wheels : new WheelSpeeds(wheels.right(), wheels.left());
     }
 
     /** {@return the name in scenario files, in lower case} */

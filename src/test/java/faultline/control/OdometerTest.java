@@ -88,4 +88,12 @@ class OdometerTest {
         assertEquals(odometer.motorLag(), odometer.deltaHeading(), 1e-9);
         assertTrue(odometer.deltaHeading() > 0.09, "about 1 rad/s for 0.1 s");
     }
+
+    @Test
+    void wheelsThatTurnAtTheStartContinue() {
+        odometer.setWheels(new WheelSpeeds(0.1, 0.3));
+        assertEquals(new WheelSpeeds(0.1, 0.3), odometer.wheels());
+        drive(LAGGING, Velocity.ZERO, DT, 1000);
+        assertEquals(0.2 * odometer.motorLag(), odometer.deltaDistance(), 1e-9);
+    }
 }

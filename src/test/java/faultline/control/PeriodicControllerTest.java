@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.wallfollower.Observations;
+import faultline.robot.WheelSpeeds;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -96,6 +97,58 @@ class PeriodicControllerTest {
         periodic.configure(new ControllerSpec.None());
         assertEquals(List.of(initial.withDistance(0.4)), taken);
         assertEquals(List.of(initial, initial.withDistance(0.4).withPeriod(0.05), new ControllerSpec.None()), created);
+    }
+
+    /** A controller with constant voltages that records how it begins. */
+    private static final class Mover implements Successor {
+
+        private final double volts;
+        private final List<String> begun = new ArrayList<>();
+
+        Mover(double volts) {
+            this.volts = volts;
+        }
+
+        @Override
+        public void begin(long tick, WheelSpeeds wheels) {
+            begun.add(tick + " " + wheels);
+        }
+
+        @Override
+        public Decision decide(Observation observation) {
+            return new Decision(volts, 2 * volts, Telemetry.ofState(ControllerState.of("TEST")));
+        }
+    }
+
+    /** The motors of the robot follow at once, at 0.1 m/s per volt. */
+    @Test
+    void aControllerThatReplacesAnotherOneLearnsHowFastTheWheelsTurn() {
+        List<Mover> movers = new ArrayList<>();
+        ControllerSpec.WallFollowing follower = ControllerSpec.WallFollowing.DEFAULT.withPeriod(0.05);
+        PeriodicController periodic = new PeriodicController(follower, settings -> {
+            movers.add(new Mover(movers.size() + 1));
+            return movers.get(movers.size() - 1);
+        });
+        for (long tick = 0; tick < 20; tick++) {
+            if (tick == 1) {
+                periodic.configure(follower.withSide(WallSide.RIGHT));
+            } else if (tick == 8) {
+                periodic.configure(new ControllerSpec.Drive(1, 2));
+            } else if (tick == 17) {
+                periodic.configure(follower);
+                periodic.configure(follower.withDiagnosis(false));
+            }
+            periodic.decide(Observations.observation(tick, Map.of()));
+        }
+        assertEquals(
+                List.of(
+                        List.of(),
+                        List.of(),
+                        List.of("8 " + new WheelSpeeds(0.1 * 2, 0.1 * 4)),
+                        List.of(),
+                        List.of("17 " + new WheelSpeeds(0.1 * 3, 0.1 * 6))),
+                movers.stream().map(mover -> mover.begun).toList(),
+                "the first one, and one after a single decision, begin at rest");
     }
 
     /** A controller that keeps what is called and can fail to close. */

@@ -1,18 +1,19 @@
 package faultline.control.ladder;
 
-import faultline.control.Controller;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.SensorHealth;
+import faultline.control.Successor;
 import faultline.control.Telemetry;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.control.fallback.MapFollower;
 import faultline.control.wallfollower.WallFollower;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Reading;
 import java.util.List;
 
@@ -21,7 +22,7 @@ import java.util.List;
  * whose requirements the trusted sensors meet drives. As long as all are trusted, its decisions are exactly those of
  * the six-state follower.
  */
-public final class FaultTolerantFollower implements Controller {
+public final class FaultTolerantFollower implements Successor {
 
     /** The state in which the robot has stopped because it cannot go on. */
     public static final ControllerState STOP = ControllerState.of("STOP");
@@ -55,6 +56,12 @@ public final class FaultTolerantFollower implements Controller {
         setWantedDistance();
         this.mapFollower = new MapFollower(diagnosis, spec);
         this.sixStates = new WallFollower(spec, diagnosis.reckoning().odometer());
+    }
+
+    @Override
+    public void begin(long tick, WheelSpeeds wheels) {
+        lastTick = tick;
+        diagnosis.reckoning().odometer().setWheels(spec.side().nearAndFar(wheels));
     }
 
     @Override

@@ -7,17 +7,18 @@ import static faultline.control.FollowerState.ROUND;
 import static faultline.control.FollowerState.SEARCH;
 import static faultline.control.FollowerState.TURN;
 
-import faultline.control.Controller;
 import faultline.control.ControllerSpec;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Odometer;
+import faultline.control.Successor;
 import faultline.control.Telemetry;
 import faultline.control.Threshold;
 import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -30,7 +31,7 @@ import java.util.Map;
  * <p>The state diagram is the table {@link #TRANSITIONS}: of the transitions that leave a state, the first whose guard
  * holds is taken, at most one for each decision.
  */
-public final class WallFollower implements Controller {
+public final class WallFollower implements Successor {
 
     /** The paper's Fig. 8 by our interpretation, decision 0002. */
     static final List<Transition> TRANSITIONS = List.of(
@@ -165,6 +166,12 @@ public final class WallFollower implements Controller {
     public static Velocity onCurve(double speed, double rate, double maxRate) {
         double share = Math.max(MIN_SPEED_SHARE, Math.min(1, maxRate / Math.abs(rate)));
         return new Velocity(share * speed, Math.max(-maxRate, Math.min(maxRate, rate)));
+    }
+
+    @Override
+    public void begin(long tick, WheelSpeeds wheels) {
+        lastTick = tick;
+        odometer.setWheels(spec.side().nearAndFar(wheels));
     }
 
     @Override

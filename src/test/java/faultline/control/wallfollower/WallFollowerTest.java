@@ -9,11 +9,13 @@ import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
+import faultline.control.Odometer;
 import faultline.control.Telemetry;
 import faultline.control.WallSide;
 import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Reading;
 import java.util.EnumSet;
 import java.util.List;
@@ -215,6 +217,16 @@ class WallFollowerTest {
             assertEquals(List.of(one.leftVolts(), one.rightVolts()), List.of(other.rightVolts(), other.leftVolts()));
             assertEquals(one.telemetry(), other.telemetry());
         }
+    }
+
+    @ParameterizedTest
+    @EnumSource(WallSide.class)
+    void aFollowerThatBeginsInMotionKnowsTheSpeedsOfTheWheels(WallSide side) {
+        Odometer odometer = new Odometer();
+        WallFollower begun = new WallFollower(WallFollowing.DEFAULT.withSide(side), odometer);
+        begun.begin(500, new WheelSpeeds(0.1, 0.3));
+        begun.decide(Observations.observation(500, RobotSpec.DEFAULT, NOTHING));
+        assertEquals(side.nearAndFar(new WheelSpeeds(0.1, 0.3)), odometer.wheels(), "no tick has passed since");
     }
 
     @Test
