@@ -97,14 +97,15 @@ public final class ResultColumns {
             new ResultColumn(
                     "detection_delay_s",
                     "s",
-                    "time from the first fault until the diagnosis no longer trusts its sensor; empty if it always"
-                            + " does, if it did not before and never does again, or if the fault is one of motors",
+                    "time from the first fault until the diagnosis no longer trusts its sensor; empty if it trusts"
+                            + " it until the end or a contact, if it did not before and never does again, or if the"
+                            + " fault is one of motors",
                     run -> fixed(run.diagnosis().detectionDelay().orElse(Double.NaN), 3)),
             new ResultColumn(
                     "false_alarms",
                     "",
-                    "sensors that the diagnosis did not trust at some time before any fault of theirs, while they were"
-                            + " on; empty without a diagnosis",
+                    "sensors that the diagnosis did not trust at some time before any fault of theirs and any contact,"
+                            + " while they were on; empty without a diagnosis",
                     run -> run.diagnosis().falseAlarms().isPresent()
                             ? Integer.toString(run.diagnosis().falseAlarms().getAsInt())
                             : ""),

@@ -18,7 +18,8 @@ import java.util.Set;
 /**
  * Compares the findings of a controller's diagnosis with the actual faults of the sensors. A sensor that is distrusted
  * before its own first fault is a false alarm. In the tick of a fault, the diagnosis is still that of the readings
- * before it.
+ * before it. What follows the tick of a contact does not count, because the robot then stands still, whatever its
+ * controller believes.
  */
 public final class DiagnosisMetrics implements TickObserver {
 
@@ -40,6 +41,8 @@ public final class DiagnosisMetrics implements TickObserver {
     private double largestError;
     private String rung = "";
     private boolean diagnosed;
+    /** Whether there was a contact at the last observation. */
+    private boolean collided;
 
     /**
      * Creates metrics of one run of a setup.
@@ -68,11 +71,15 @@ public final class DiagnosisMetrics implements TickObserver {
     public void observe(Simulation simulation) {
         Telemetry.Diagnosis diagnosis = simulation.telemetry().diagnosis();
         rung = diagnosis.rung();
+        List<SensorHealth> health = diagnosis.health();
+        diagnosed |= !health.isEmpty();
+        if (collided) {
+            return;
+        }
+        collided = simulation.collision().isPresent();
         if (!firstFaulty.isEmpty() && Double.isNaN(detected) && simulation.time() >= onset) {
             measureFault(simulation);
         }
-        List<SensorHealth> health = diagnosis.health();
-        diagnosed |= !health.isEmpty();
         boolean wasTrusted = trusted;
         trusted = true;
         for (SensorHealth sensor : health) {
@@ -108,8 +115,8 @@ public final class DiagnosisMetrics implements TickObserver {
     }
 
     /**
-     * {@return the time from the first fault until its sensor is no longer trusted, seconds; empty if it always is, if
-     * it was not trusted before and never is again, or if the first fault is one of motors}
+     * {@return the time from the first fault until its sensor is no longer trusted, seconds; empty if it is until the
+     * end or a contact, if it was not trusted before and never is again, or if the first fault is one of motors}
      */
     public OptionalDouble detectionDelay() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
@@ -133,14 +140,14 @@ public final class DiagnosisMetrics implements TickObserver {
     }
 
     /**
-     * {@return the number of sensors that were not trusted at some time before any fault of theirs, while they were on;
-     * empty without a diagnosis}
+     * {@return the number of sensors that were not trusted at some time before any fault of theirs and any contact,
+     * while they were on; empty without a diagnosis}
      */
     public OptionalInt falseAlarms() {
         return diagnosed ? OptionalInt.of(wronglyDistrusted.size()) : OptionalInt.empty();
     }
 
-    /** {@return the name of the strategy that drove last, empty without a diagnosis} */
+    /** {@return the name of the strategy that drove last, also after a contact; empty without a diagnosis} */
     public String rung() {
         return rung;
     }

@@ -14,12 +14,18 @@ import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.sensor.SignalFault;
 import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -194,5 +200,52 @@ class DiagnosisMetricsTest {
         DiagnosisMetrics metrics = observe(office.withTimeline(List.of()), tick -> List.of(distrusted("left")));
         assertEquals(OptionalInt.of(1), metrics.falseAlarms());
         assertEquals(OptionalDouble.empty(), metrics.detectionDelay());
+    }
+
+    /** An obstacle strikes the robot in tick 5, and the diagnosis of its readings acts from tick 6 on. */
+    private SimulationSetup struck(Command... commands) {
+        Vector2 robot = office.start().position();
+        Vector2 ahead = Vector2.direction(office.start().heading());
+        Vector2 ball = robot.plus(ahead.times(office.robot().length() / 2 + 0.065));
+        Obstacle obstacle = new Obstacle(
+                "ball",
+                new ObstacleShape.CircleShape(0.02),
+                new Pose(ball.x(), ball.y(), 0),
+                new WaypointPath(1, false, List.of(robot)));
+        List<SimulationSetup.TimedCommand> timeline = new ArrayList<>();
+        timeline.add(new SimulationSetup.TimedCommand(0, new Command.PlaceObstacle(obstacle)));
+        for (Command command : commands) {
+            timeline.add(new SimulationSetup.TimedCommand(0.02, command));
+        }
+        return office.withTimeline(timeline);
+    }
+
+    @Test
+    void whatFollowsAContactIsNoFalseAlarm() {
+        for (int tick = 2; tick < 12; tick++) {
+            int only = tick;
+            DiagnosisMetrics metrics =
+                    observe(struck(), observed -> observed == only ? List.of(distrusted("left")) : trusted("left"));
+            assertEquals(OptionalInt.of(tick <= 4 ? 1 : 0), metrics.falseAlarms(), "tick " + tick);
+        }
+    }
+
+    @Test
+    void whatFollowsAContactDetectsNoFault() {
+        SimulationSetup setup = struck(new Command.InjectFault("left", new Fault.Bias(0.1)));
+        for (int tick = 2; tick < 12; tick++) {
+            int first = tick;
+            DiagnosisMetrics metrics =
+                    observe(setup, observed -> observed >= first ? List.of(distrusted("left")) : trusted("left"));
+            assertEquals(tick <= 4, metrics.detectionDelay().isPresent(), "tick " + tick);
+            assertEquals(tick <= 4, metrics.secondsInView().isPresent(), "tick " + tick);
+        }
+    }
+
+    @Test
+    void afterAContactTheRungIsStillTheLastOne() {
+        DiagnosisMetrics metrics = observe(struck(), tick -> tick < 8 ? List.of() : trusted("left"));
+        assertEquals("ALL", metrics.rung());
+        assertEquals(OptionalInt.of(0), metrics.falseAlarms(), "there is a diagnosis");
     }
 }
