@@ -104,7 +104,7 @@ public final class ResultColumns {
             new ResultColumn(
                     "false_alarms",
                     "",
-                    "sensors that the diagnosis did not trust at some time before any fault of theirs and any contact,"
+                    "sensors that the diagnosis stopped trusting before any fault of theirs and any contact,"
                             + " while they were on; empty without a diagnosis",
                     run -> run.diagnosis().falseAlarms().isPresent()
                             ? Integer.toString(run.diagnosis().falseAlarms().getAsInt())

@@ -5,6 +5,7 @@ import faultline.control.Telemetry;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.world.Command;
 import java.util.HashMap;
@@ -18,8 +19,9 @@ import java.util.Set;
 /**
  * Compares the findings of a controller's diagnosis with the actual faults of the sensors. A sensor that is distrusted
  * before its own first fault is a false alarm. In the tick of a fault, the diagnosis is still that of the readings
- * before it. What follows the tick of a contact does not count, because the robot then stands still, whatever its
- * controller believes.
+ * before it. A sensor that the diagnosis stopped trusting while it was off is no false alarm, also when it is on again.
+ * What follows the tick of a contact does not count, because the robot then stands still, whatever its controller
+ * believes.
  */
 public final class DiagnosisMetrics implements TickObserver {
 
@@ -30,9 +32,13 @@ public final class DiagnosisMetrics implements TickObserver {
 
     private final String firstFaulty;
     private final Set<String> wronglyDistrusted = new HashSet<>();
+    /** The sensors that have not been trusted since they were off. */
+    private final Set<String> rightlyDistrusted = new HashSet<>();
     /** The length of a tick, seconds. */
     private final double dt;
 
+    /** The robot at the last observation. */
+    private RobotSpec before;
     /** Whether the sensor that fails first was trusted at the last observation. */
     private boolean trusted = true;
 
@@ -51,6 +57,7 @@ public final class DiagnosisMetrics implements TickObserver {
      */
     public DiagnosisMetrics(SimulationSetup setup) {
         dt = setup.dt();
+        before = setup.robot();
         onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
         onsetTick = setup.tickAt(onset);
         for (SimulationSetup.TimedCommand timed : setup.timeline()) {
@@ -83,10 +90,13 @@ public final class DiagnosisMetrics implements TickObserver {
         boolean wasTrusted = trusted;
         trusted = true;
         for (SensorHealth sensor : health) {
-            if (!sensor.isTrusted()) {
+            if (sensor.isTrusted()) {
+                rightlyDistrusted.remove(sensor.sensor());
+            } else {
                 distrust(sensor.sensor(), simulation);
             }
         }
+        before = simulation.robot();
         if (Double.isNaN(detected) && wasTrusted && !trusted && simulation.ticks() > onsetTick) {
             detected = simulation.time();
         }
@@ -108,10 +118,18 @@ public final class DiagnosisMetrics implements TickObserver {
 
     private void distrust(String sensor, Simulation simulation) {
         trusted &= !sensor.equals(firstFaulty);
-        if (simulation.ticks() <= faultTicks.getOrDefault(sensor, Long.MAX_VALUE)
-                && simulation.robot().sensor(sensor).filter(spec -> spec.on()).isPresent()) {
-            wronglyDistrusted.add(sensor);
+        if (simulation.ticks() > faultTicks.getOrDefault(sensor, Long.MAX_VALUE)
+                || wronglyDistrusted.contains(sensor)
+                || rightlyDistrusted.contains(sensor)) {
+            return;
         }
+        // The diagnosis is still that of the readings of the last tick.
+        boolean isOn = isOn(sensor, before) && isOn(sensor, simulation.robot());
+        (isOn ? wronglyDistrusted : rightlyDistrusted).add(sensor);
+    }
+
+    private static boolean isOn(String sensor, RobotSpec robot) {
+        return robot.sensor(sensor).filter(spec -> spec.on()).isPresent();
     }
 
     /**
@@ -140,7 +158,7 @@ public final class DiagnosisMetrics implements TickObserver {
     }
 
     /**
-     * {@return the number of sensors that were not trusted at some time before any fault of theirs and any contact,
+     * {@return the number of sensors that the diagnosis stopped trusting before any fault of theirs and any contact,
      * while they were on; empty without a diagnosis}
      */
     public OptionalInt falseAlarms() {

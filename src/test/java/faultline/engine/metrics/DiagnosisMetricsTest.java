@@ -202,6 +202,34 @@ class DiagnosisMetricsTest {
         assertEquals(OptionalDouble.empty(), metrics.detectionDelay());
     }
 
+    /** The diagnosis does not trust a sensor that is switched on again until it has agreed with others for a time. */
+    @Test
+    void aSensorThatIsSwitchedOffAndOnAgainIsNoFalseAlarm() {
+        SimulationSetup setup = office.withTimeline(List.of(
+                new SimulationSetup.TimedCommand(5, new Command.SwitchSensor("right", false)),
+                new SimulationSetup.TimedCommand(8, new Command.SwitchSensor("right", true))));
+        DiagnosisMetrics metrics = new DiagnosisMetrics(setup);
+        HeadlessRun.run(setup.withDuration(20), ControllerMode.DIRECT, List.of(metrics));
+        assertEquals(OptionalInt.of(0), metrics.falseAlarms());
+    }
+
+    /** The sensor is off at ticks 4 to 7, and the decision on observation 8 acts at tick 9. */
+    @Test
+    void aSensorThatIsNotTrustedAfterItWasOnAgainIsAFalseAlarm() {
+        SimulationSetup setup = office.withTimeline(List.of(
+                new SimulationSetup.TimedCommand(0.04, new Command.SwitchSensor("right", false)),
+                new SimulationSetup.TimedCommand(0.08, new Command.SwitchSensor("right", true))));
+        for (int tick = 1; tick < 12; tick++) {
+            int first = tick;
+            DiagnosisMetrics metrics =
+                    observe(setup, observed -> observed >= first ? List.of(distrusted("right")) : trusted("right"));
+            assertEquals(OptionalInt.of(tick >= 3 && tick <= 7 ? 0 : 1), metrics.falseAlarms(), "tick " + tick);
+        }
+        DiagnosisMetrics twice =
+                observe(setup, tick -> tick >= 5 && tick != 10 ? List.of(distrusted("right")) : trusted("right"));
+        assertEquals(OptionalInt.of(1), twice.falseAlarms(), "trusted in between");
+    }
+
     /** An obstacle strikes the robot in tick 5, and the diagnosis of its readings acts from tick 6 on. */
     private SimulationSetup struck(Command... commands) {
         Vector2 robot = office.start().position();
