@@ -205,12 +205,9 @@ public final class CarryOnMetrics implements TickObserver {
         return wanted.isPresent() ? OptionalDouble.of(wanted.getAsDouble() + robot.width() / 2) : wanted;
     }
 
-    /** Returns when the faults of a setup's timeline begin by the clock of the simulation, seconds. */
+    /** Returns when the {@link FaultStarts} of a setup are by the clock of the simulation, seconds. */
     static DoubleStream faultTimes(SimulationSetup setup) {
-        return setup.timeline().stream()
-                .filter(timed -> timed.command() instanceof Command.InjectFault
-                        || timed.command() instanceof Command.InjectMotorFault)
-                .mapToDouble(timed -> startTime(setup, timed));
+        return FaultStarts.of(setup).stream().mapToDouble(timed -> startTime(setup, timed));
     }
 
     /** Returns the time of a command, seconds; the clock may show a little less in its tick, by a rounding error. */

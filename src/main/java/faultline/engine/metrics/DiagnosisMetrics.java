@@ -27,7 +27,7 @@ public final class DiagnosisMetrics implements TickObserver {
 
     private final double onset;
     private final long onsetTick;
-    /** The ticks of the first fault of each sensor that has one. */
+    /** The ticks of the first fault of each sensor that has one, without those that end in their tick. */
     private final Map<String, Long> faultTicks = new HashMap<>();
 
     private final String firstFaulty;
@@ -60,12 +60,13 @@ public final class DiagnosisMetrics implements TickObserver {
         before = setup.robot();
         onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
         onsetTick = setup.tickAt(onset);
-        for (SimulationSetup.TimedCommand timed : setup.timeline()) {
+        List<SimulationSetup.TimedCommand> faults = FaultStarts.of(setup);
+        for (SimulationSetup.TimedCommand timed : faults) {
             if (timed.command() instanceof Command.InjectFault fault) {
                 faultTicks.merge(fault.sensor(), setup.tickAt(timed.time()), Math::min);
             }
         }
-        firstFaulty = setup.timeline().stream()
+        firstFaulty = faults.stream()
                 .filter(timed -> CarryOnMetrics.startTime(setup, timed) == onset
                         && timed.command() instanceof Command.InjectFault)
                 .map(timed -> ((Command.InjectFault) timed.command()).sensor())

@@ -1,0 +1,95 @@
+package faultline.engine.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.Command.ClearFault;
+import faultline.world.Command.ClearFaults;
+import faultline.world.Command.ClearMotorFault;
+import faultline.world.Command.ClearMotorFaults;
+import faultline.world.Command.InjectFault;
+import faultline.world.Command.InjectMotorFault;
+import faultline.world.WorldSpec;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Faults that a command of their tick ends never act. A tick is 10 ms. */
+class FaultStartsTest {
+
+    private static final Fault BIAS = new Fault.Bias(0.1);
+    private static final MotorFault OFF = new MotorFault.NoDrive();
+    private static final Command LEFT = new InjectFault("left", BIAS);
+    private static final Command MOTORS = new InjectMotorFault(MotorSide.LEFT, OFF);
+
+    private static TimedCommand at(double time, Command command) {
+        return new TimedCommand(time, command);
+    }
+
+    private static SimulationSetup setup(TimedCommand... timeline) {
+        return SimulationSetup.of(new WorldSpec(4, 3, true, 0, List.of()), new Pose(2, 1.5, 0))
+                .withController(new ControllerSpec.None())
+                .withTimeline(List.of(timeline));
+    }
+
+    /** Returns the indices of the commands of one tick that begin a fault. */
+    private static List<Integer> inOneTick(Command... commands) {
+        TimedCommand[] timeline = new TimedCommand[commands.length];
+        Arrays.setAll(timeline, i -> at(5.001 + 0.0001 * i, commands[i]));
+        return FaultStarts.of(setup(timeline)).stream()
+                .map(Arrays.asList(timeline)::indexOf)
+                .toList();
+    }
+
+    @Test
+    void aFaultThatARepairOfItsTickEndsDoesNotBegin() {
+        assertEquals(List.of(), inOneTick(LEFT, new ClearFault("left", BIAS)));
+        assertEquals(List.of(), inOneTick(LEFT, LEFT, new ClearFaults("left")));
+        assertEquals(List.of(), inOneTick(MOTORS, new ClearMotorFault(MotorSide.LEFT, OFF)));
+        assertEquals(List.of(), inOneTick(MOTORS, new ClearMotorFaults(MotorSide.LEFT)));
+    }
+
+    @Test
+    void aRepairOfAnotherFaultOrBeforeItEndsNone() {
+        assertEquals(List.of(0), inOneTick(LEFT, new ClearFault("left", new Fault.Bias(0.2))));
+        assertEquals(List.of(0), inOneTick(LEFT, new ClearFaults("right")));
+        assertEquals(List.of(0), inOneTick(MOTORS, new ClearMotorFaults(MotorSide.RIGHT)));
+        assertEquals(List.of(1), inOneTick(new ClearFaults("left"), LEFT));
+        assertEquals(List.of(2), inOneTick(LEFT, new ClearFault("left", BIAS), LEFT));
+    }
+
+    @Test
+    void aRepairOfOneFaultEndsOne() {
+        assertEquals(List.of(0), inOneTick(LEFT, LEFT, new ClearFault("left", BIAS)));
+    }
+
+    @Test
+    void aRepairInALaterTickEndsNoneOfThem() {
+        List<TimedCommand> timeline = List.of(at(5.011, new ClearFaults("left")), at(5.001, LEFT));
+        assertEquals(List.of(timeline.get(1)), FaultStarts.of(setup(timeline.toArray(new TimedCommand[0]))));
+    }
+
+    @Test
+    void theDelayAndTheClockStartAtTheFirstFaultThatLasts() {
+        SimulationSetup setup = setup(
+                        at(0.001, LEFT),
+                        at(0.004, new ClearFaults("left")),
+                        at(0.5, new InjectFault("right", new Fault.Dead())),
+                        at(0.9, MOTORS),
+                        at(0.9, new ClearMotorFaults(MotorSide.LEFT)))
+                .withController(ControllerSpec.WallFollowing.DEFAULT)
+                .withDuration(1);
+        DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
+        HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(diagnosis));
+        assertEquals(0.01, diagnosis.detectionDelay().orElseThrow(), 1e-9);
+        assertEquals(0.5, CarryOnMetrics.faultTimes(setup).max().orElseThrow());
+    }
+}
