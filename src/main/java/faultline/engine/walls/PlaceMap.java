@@ -25,6 +25,9 @@ final class PlaceMap {
     /** The number of places at either end of a block that can be close to places of the next block. */
     private static final int SHARED_ENDS = 6;
 
+    /** The radius of a run, as a share of the join distance: two places of a run are always joined. */
+    private static final double RUN_RADIUS = 1 / 32.0;
+
     private final WallReference walls;
     private final double distance;
     private final double spacing;
@@ -42,11 +45,19 @@ final class PlaceMap {
     /** The blocks around the ends of sampled walls, by x and y of the end. */
     private final Map<Double, Map<Double, List<PlaceBlock>>> corners = new HashMap<>();
 
-    /** The free places, and for each the next one in its cell; the last one of a cell leads to the first one. */
+    /**
+     * The free places. Around a thin ellipse, thousands can be in one cell, so successive ones that are very near to
+     * the first of them make a run, and are compared with other places as one.
+     */
     private final List<Place> places = new ArrayList<>();
 
+    /** For the first place of each run the first one of the next run in its cell; the last run leads to the first. */
     private int[] next = new int[1024];
-    /** The last place of each cell. */
+    /** The number of places in the run of each first place. */
+    private int[] runSizes = new int[1024];
+    /** The first places of the runs that belong to a piece as a whole. */
+    private final BitSet reachedRuns = new BitSet();
+    /** The first place of the last run of each cell. */
     private final CellNumbers cells = new CellNumbers();
 
     private final Set<PlaceBlock> surveyed = new HashSet<>();
@@ -193,15 +204,30 @@ final class PlaceMap {
         count();
         int number = places.size();
         places.add(place);
-        next = number < next.length ? next : Arrays.copyOf(next, 2 * number);
+        if (number == next.length) {
+            next = Arrays.copyOf(next, 2 * number);
+            runSizes = Arrays.copyOf(runSizes, 2 * number);
+        }
         long cell = CellKey.of(place.position, joinDistance);
         int last = cells.get(cell);
+        if (last != CellNumbers.NONE && continues(last, number)) {
+            runSizes[last]++;
+            return;
+        }
+        runSizes[number] = 1;
         next[number] = number;
         if (last != CellNumbers.NONE) {
             next[number] = next[last];
             next[last] = number;
         }
         cells.put(cell, number);
+    }
+
+    /** Returns whether a new place is the next one of a run that belongs to no piece yet. */
+    private boolean continues(int run, int number) {
+        return run + runSizes[run] == number
+                && !reachedRuns.get(run)
+                && places.get(run).position.distanceTo(places.get(number).position) <= RUN_RADIUS * joinDistance;
     }
 
     private static boolean isNearEnd(PlaceBlock block, int index) {
@@ -231,20 +257,43 @@ final class PlaceMap {
         }
     }
 
-    /** Numbers the places of a cell that are near to a point; the last one of the cell is given, if it has any. */
+    /** Numbers the runs of a cell that are near to a point; the last one of the cell is given, if it has any. */
     private void reachCell(int last, Vector2 point, int piece, Deque<Place> open) {
         if (last == CellNumbers.NONE) {
             return;
         }
-        int number = last;
+        int run = last;
         do {
-            number = next[number];
-            Place other = places.get(number);
-            if (other.block.piece(other.index) == PlaceBlock.NO_PIECE
-                    && other.position.distanceTo(point) <= joinDistance) {
-                reach(other, piece, open);
+            run = next[run];
+            if (!reachedRuns.get(run) && isNear(run, point)) {
+                reachedRuns.set(run);
+                reachRun(run, piece, open);
             }
-        } while (number != last);
+        } while (run != last);
+    }
+
+    /** Returns whether a place of a run is near to a point. */
+    private boolean isNear(int run, Vector2 point) {
+        double toFirst = places.get(run).position.distanceTo(point);
+        if (toFirst <= joinDistance) {
+            return true;
+        }
+        boolean near = false;
+        if (toFirst <= (1 + 2 * RUN_RADIUS) * joinDistance) {
+            for (int i = 1; i < runSizes[run] && !near; i++) {
+                near = places.get(run + i).position.distanceTo(point) <= joinDistance;
+            }
+        }
+        return near;
+    }
+
+    private void reachRun(int run, int piece, Deque<Place> open) {
+        for (int i = 0; i < runSizes[run]; i++) {
+            Place place = places.get(run + i);
+            if (place.block.piece(place.index) == PlaceBlock.NO_PIECE) {
+                reach(place, piece, open);
+            }
+        }
     }
 
     /** Numbers a place, or all places of a block alone, and adds those that have neighbours to a list. */

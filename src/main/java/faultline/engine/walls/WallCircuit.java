@@ -12,6 +12,9 @@ import java.util.stream.DoubleStream;
  */
 public final class WallCircuit {
 
+    /** The radius of a run, as a share of the join distance: two places of a run are always joined. */
+    private static final double RUN_RADIUS = 1 / 32.0;
+
     private final List<WallReference.WallSample> places;
     private final double tolerance;
     private final int[] paths;
@@ -26,6 +29,11 @@ public final class WallCircuit {
     private final CellNumbers lastInCell = new CellNumbers();
 
     private final int[] before;
+    /**
+     * The first place of the run of each place. Around a thin ellipse, thousands can be in one cell, so successive ones
+     * of a cell that are very near to the first of them make a run, whose places are on one path.
+     */
+    private final int[] runs;
 
     /** {@return a circuit without any path, for robots that follow no wall} */
     public static WallCircuit empty() {
@@ -49,10 +57,11 @@ public final class WallCircuit {
         xs = places.stream().mapToDouble(place -> place.position().x()).toArray();
         ys = places.stream().mapToDouble(place -> place.position().y()).toArray();
         before = new int[count];
+        runs = new int[count];
         for (int i = 0; i < count; i++) {
             paths[i] = i;
             joinWithEarlier(i, joinDistance);
-            addToCell(i);
+            addToCell(i, joinDistance);
         }
         for (int i = 0; i < count; i++) {
             paths[i] = root(i);
@@ -62,11 +71,23 @@ public final class WallCircuit {
     }
 
     private void joinWithEarlier(int i, double joinDistance) {
-        forEachNear(xs[i], ys[i], joinDistance, other -> {
-            int a = root(i);
-            int b = root(other);
-            paths[Math.max(a, b)] = Math.min(a, b);
+        forEachCell(xs[i], ys[i], joinDistance, last -> {
+            for (int other = last; other != CellNumbers.NONE; ) {
+                double distance = distance(other, xs[i], ys[i]);
+                if (distance <= joinDistance) {
+                    join(i, other);
+                }
+                // The others of a run are at most twice its radius away.
+                boolean isDecided = distance <= joinDistance || distance > (1 + 3 * RUN_RADIUS) * joinDistance;
+                other = before[isDecided ? runs[other] : other];
+            }
         });
+    }
+
+    private void join(int one, int other) {
+        int a = root(one);
+        int b = root(other);
+        paths[Math.max(a, b)] = Math.min(a, b);
     }
 
     private int root(int i) {
@@ -78,9 +99,12 @@ public final class WallCircuit {
         return at;
     }
 
-    private void addToCell(int i) {
+    private void addToCell(int i, double joinDistance) {
         long cell = CellKey.of(column(xs[i]), column(ys[i]));
-        before[i] = lastInCell.get(cell);
+        int last = lastInCell.get(cell);
+        boolean continues = last != CellNumbers.NONE && distance(runs[last], xs[i], ys[i]) <= RUN_RADIUS * joinDistance;
+        runs[i] = continues ? runs[last] : i;
+        before[i] = last;
         lastInCell.put(cell, i);
     }
 
@@ -88,8 +112,8 @@ public final class WallCircuit {
         return CellKey.index(coordinate, tolerance);
     }
 
-    /** Calls an action for every place within a radius of at most the tolerance around a point. */
-    private void forEachNear(double atX, double atY, double radius, IntConsumer action) {
+    /** Calls an action with the last place of every cell that can have places within a radius of a point. */
+    private void forEachCell(double atX, double atY, double radius, IntConsumer action) {
         // Other cells contain no place within the radius, not even after rounding.
         double reach = radius + WallReference.ROUNDING;
         long left = Math.max(column(atX - reach), column(atX) - 1);
@@ -98,11 +122,7 @@ public final class WallCircuit {
         long top = Math.min(column(atY + reach), column(atY) + 1);
         for (long x = left; x <= right; x++) {
             for (long y = bottom; y <= top; y++) {
-                for (int i = lastInCell.get(CellKey.of(x, y)); i != CellNumbers.NONE; i = before[i]) {
-                    if (distance(i, atX, atY) <= radius) {
-                        action.accept(i);
-                    }
-                }
+                action.accept(lastInCell.get(CellKey.of(x, y)));
             }
         }
     }
@@ -121,7 +141,13 @@ public final class WallCircuit {
      * @param action takes the indices of the places
      */
     public void forEachPassed(Vector2 point, IntConsumer action) {
-        forEachNear(point.x(), point.y(), tolerance, action);
+        forEachCell(point.x(), point.y(), tolerance, last -> {
+            for (int i = last; i != CellNumbers.NONE; i = before[i]) {
+                if (distance(i, point.x(), point.y()) <= tolerance) {
+                    action.accept(i);
+                }
+            }
+        });
     }
 
     /** {@return how many places there are on all paths together} */

@@ -138,6 +138,40 @@ class CoverageTest {
         assertEquals(0.45, around.share().orElseThrow(), 0.05);
     }
 
+    /** More than 100 000 places around it are in a few cells. */
+    @Test
+    void anEllipseThatIsNearlyASegmentTakesLittleTime() {
+        Obstacle blade = new Obstacle("blade", new ObstacleShape.EllipseShape(0.01, 1e-6), new Pose(2, 2, 0));
+        Coverage around = coverage(new WorldSpec(4, 4, false, 3, List.of(blade)));
+        visit(around, List.of(new Vector2(1.9, 2 + WANTED), new Vector2(2.1, 2 + WANTED)));
+        CpuTime time = CpuTime.start();
+        assertEquals(1, around.share().orElseThrow(), 0.01, "the places on its two sides are not joined");
+        time.assertBelow(3);
+    }
+
+    @Test
+    void thinEllipsesHaveTheSameBitsAsComparingAllPlaces() {
+        Random random = new Random(815);
+        for (int i = 0; i < 4; i++) {
+            List<Obstacle> blades = new ArrayList<>();
+            for (int k = 0; k < 2; k++) {
+                Pose pose = new Pose(
+                        2 + 0.1 * random.nextDouble(), 2 + 0.03 * random.nextDouble(), random.nextInt(3) * 0.1);
+                double thin = List.of(1e-6, 2e-4, 1e-3).get(random.nextInt(3));
+                blades.add(new Obstacle("blade" + k, new ObstacleShape.EllipseShape(0.02, thin), pose));
+            }
+            WallReference walls = new WallReference(new WorldSpec(4, 4, false, 3, blades));
+            Coverage lazy = new Coverage(walls, WANTED);
+            EagerCoverage eager = new EagerCoverage(walls, WANTED);
+            for (double x = 1.9; x < 2.3; x += 0.01) {
+                Vector2 point = new Vector2(x, 2 + WANTED);
+                lazy.visit(point);
+                eager.visit(point);
+            }
+            assertEquals(eager.share(), lazy.share(), "world " + i);
+        }
+    }
+
     @Test
     void aRecordIsEmptyUntilAPointIsRecorded() {
         assertTrue(coverage.isEmpty());

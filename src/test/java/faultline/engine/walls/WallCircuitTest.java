@@ -2,6 +2,7 @@ package faultline.engine.walls;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.CpuTime;
 import faultline.geometry.Vector2;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -39,6 +40,35 @@ class WallCircuitTest {
         WallReference walls =
                 new WallReference(Scenario.loadShipped("office.xml").setup().world());
         assertAgrees(walls.samplesAlongPath(0.35, SPACING), new Random(6));
+    }
+
+    /** In each swarm, every place is a few tenths of a millimetre from the one before it. */
+    @Test
+    void pathsOfDensePlacesAgreeWithBruteForce() {
+        Random random = new Random(7);
+        for (int round = 0; round < 20; round++) {
+            List<WallReference.WallSample> places = new ArrayList<>();
+            for (int swarm = 0; swarm < 6; swarm++) {
+                double x = 0.3 * random.nextDouble();
+                double y = 0.3 * random.nextDouble();
+                for (int i = 0; i < 50; i++) {
+                    x += 0.0004 * (random.nextDouble() - 0.3);
+                    y += 0.0004 * (random.nextDouble() - 0.3);
+                    places.add(new WallReference.WallSample(new Vector2(x, y), SPACING));
+                }
+            }
+            assertAgrees(places, random);
+        }
+    }
+
+    @Test
+    void manyPlacesInOneCellTakeLittleTime() {
+        CpuTime time = CpuTime.start();
+        List<WallReference.WallSample> places = IntStream.range(0, 200_000)
+                .mapToObj(i -> new WallReference.WallSample(new Vector2(i * 5e-7, 0), SPACING))
+                .toList();
+        assertEquals(200_000 * SPACING, new WallCircuit(places, SPACING, JOIN, TOLERANCE).maxLength(), 1e-6);
+        time.assertBelow(5);
     }
 
     private static void assertAgrees(List<WallReference.WallSample> places, Random random) {
