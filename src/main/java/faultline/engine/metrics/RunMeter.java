@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.engine.Journal;
 import faultline.engine.Simulation;
@@ -8,6 +9,7 @@ import faultline.engine.TickObserver;
 import faultline.engine.walls.WallCircuit;
 import faultline.engine.walls.WallReference;
 import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -24,8 +26,14 @@ public final class RunMeter implements TickObserver {
     private WallFollowingMetrics wall;
     /** Null until the robot reaches a wall, because finding the paths along walls takes long in large worlds. */
     private CarryOnMetrics laps;
+    /** Null until tick 0 is observed. */
+    private StartState start;
     /** Whether the run is at the end of its duration. */
     private boolean atEnd;
+
+    /** What is measured of tick 0. */
+    private record StartState(
+            ControllerSpec controller, RobotSpec robot, Vector2 centre, ControllerState state, boolean contact) {}
 
     /**
      * Creates a meter of one run of a setup.
@@ -44,23 +52,36 @@ public final class RunMeter implements TickObserver {
 
     @Override
     public void observe(Simulation simulation) {
-        if (simulation.ticks() == 1) {
+        if (simulation.ticks() == 0) {
+            start = new StartState(
+                    simulation.controllerSpec(),
+                    simulation.robot(),
+                    simulation.pose().position(),
+                    simulation.telemetry().state(),
+                    simulation.collision().isPresent());
+        } else if (simulation.ticks() == 1) {
             startWithEdits(simulation.journal());
         }
         wall.observe(simulation);
         atEnd = simulation.ticks() == setup.ticks();
-        ControllerState state = simulation.telemetry().state();
+        measureLaps(
+                simulation.time(),
+                simulation.pose().position(),
+                simulation.telemetry().state(),
+                simulation.collision().isPresent());
+    }
+
+    private void measureLaps(double now, Vector2 centre, ControllerState state, boolean contact) {
         if (laps == null && wall.hasBegun() && CarryOnMetrics.isAtWall(setup, state) && !wall.isLarge()) {
             laps = new CarryOnMetrics(circuit(), setup.robot().speed(), wall.startTime());
         }
         if (laps != null) {
             // The circuit is that of the first wanted distance.
-            Vector2 centre = wall.atStartDistance(simulation.pose().position());
-            laps.update(simulation.time(), centre, state, simulation.collision().isPresent());
+            laps.update(now, wall.atStartDistance(centre), state, contact);
         }
     }
 
-    /** Starts again if commands from outside have changed what the run starts with. */
+    /** Starts again, with tick 0, if commands from outside have changed what the run starts with. */
     @SuppressWarnings("ReferenceEquality") // The same object if they have not.
     private void startWithEdits(Journal journal) {
         List<Command> commands = journal.entries().stream()
@@ -70,7 +91,17 @@ public final class RunMeter implements TickObserver {
         SimulationSetup edited = FirstTick.setup(setup, commands);
         if (edited != setup) {
             start(edited);
+            if (start != null) {
+                measureStart();
+            }
         }
+    }
+
+    private void measureStart() {
+        if (!start.contact) {
+            wall.measureStart(start.controller, start.robot, start.centre, start.state);
+        }
+        measureLaps(0, start.centre, start.state, start.contact);
     }
 
     /** Returns the path that the robot follows; if it is too long, no laps are measured. */

@@ -84,23 +84,35 @@ final class WallFollowingMetrics implements TickObserver {
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     public void observe(Simulation simulation) {
         if (simulation.collision().isPresent()) {
             return;
         }
-        if (simulation.controllerSpec() != controller || simulation.robot() != robot) {
-            controller = simulation.controllerSpec();
-            robot = simulation.robot();
-            CarryOnMetrics.wantedDistance(controller, robot)
-                    .ifPresent(wanted -> setDistance(wanted, simulation.time()));
+        setController(simulation.controllerSpec(), simulation.robot(), simulation.time());
+        if (hasBegun()) {
+            walls.share(simulation);
+            measure(simulation.pose().position(), simulation.telemetry().state());
         }
-        if (!hasBegun()) {
-            return;
+    }
+
+    /** Records tick 0 without a contact, given the robot's centre, metres. */
+    void measureStart(ControllerSpec spec, RobotSpec platform, Vector2 centre, ControllerState state) {
+        setController(spec, platform, 0);
+        if (hasBegun()) {
+            measure(centre, state);
         }
-        walls.share(simulation);
-        Vector2 centre = simulation.pose().position();
-        ControllerState state = simulation.telemetry().state();
+    }
+
+    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
+    private void setController(ControllerSpec spec, RobotSpec platform, double now) {
+        if (spec != controller || platform != robot) {
+            controller = spec;
+            robot = platform;
+            CarryOnMetrics.wantedDistance(controller, robot).ifPresent(wanted -> setDistance(wanted, now));
+        }
+    }
+
+    private void measure(Vector2 centre, ControllerState state) {
         boolean follows = state == FollowerState.FOLLOW || hasOwnStates && !FOLLOWER_STATES.contains(state);
         if (follows || state == FollowerState.ROUND) {
             new Segment(before, centre)

@@ -4,8 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
 import faultline.control.FollowerState;
+import faultline.control.StateTracker;
+import faultline.control.Telemetry;
+import faultline.control.wallfollower.WallFollower;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -31,6 +38,25 @@ class RunMeterTest {
                     new WorldSpec(3.7, 2.9, true, 3, List.of(CUPBOARD)), new Pose(1.3, 1.1, 2))
             .withSeed(5150)
             .withDuration(DURATION);
+
+    /** Starts the wall follower with a state of its own. */
+    private static final ControllerSource OWN_STATE = new ControllerSource() {
+        @Override
+        public Controller start(RunConditions run) {
+            WallFollower driver = new WallFollower(ControllerSpec.WallFollowing.DEFAULT);
+            Controller named = observation -> {
+                Decision decision = driver.decide(observation);
+                Telemetry own = Telemetry.ofState(ControllerState.of("OWN"));
+                return new Decision(decision.leftVolts(), decision.rightVolts(), own);
+            };
+            return new StateTracker(named, "mine");
+        }
+
+        @Override
+        public boolean limitsAnswerTime() {
+            return false;
+        }
+    };
 
     @Test
     void whatIsAskedForAtEveryTickEndsWithTheResultOfTheWholeRun() {
@@ -139,6 +165,31 @@ class RunMeterTest {
         // The controller has its settings one tick later.
         assertEquals(saved.distanceRms(), edited.distanceRms(), 1e-9);
         assertEquals(saved.followRms(), edited.followRms(), 1e-9);
+    }
+
+    /** A controller that is not part of the program follows from tick 0 on if its states are its own. */
+    @Test
+    void theStartOfAnEditedRunIsMeasuredToo() {
+        SimulationSetup own = SETUP.withStart(new Pose(1.3, 2.3, 0.3))
+                .withController(new ControllerSpec.Chosen(ControllerSpec.WallFollowing.DEFAULT, OWN_STATE))
+                .withDuration(2);
+        RunMeter meter = new RunMeter(own);
+        try (Simulation simulation = new Simulation(own, ControllerMode.DIRECT)) {
+            meter.observe(simulation);
+            simulation.execute(new Command.RemoveObstacle("cupboard"));
+            while (simulation.ticks() < own.ticks()) {
+                simulation.tick();
+                meter.observe(simulation);
+            }
+        }
+        SimulationSetup.TimedCommand removal =
+                new SimulationSetup.TimedCommand(own.dt(), new Command.RemoveObstacle("cupboard"));
+        RunResult saved = HeadlessRun.run(own.withTimeline(List.of(removal)), ControllerMode.DIRECT, List.of());
+        assertEquals(saved.distanceRms().orElseThrow(), meter.measures().distanceRms());
+        assertEquals(saved.followRms().orElseThrow(), meter.measures().followRms());
+        RunMeter whole = new RunMeter(own.withTimeline(List.of(removal)));
+        HeadlessRun.run(own.withTimeline(List.of(removal)), ControllerMode.DIRECT, List.of(whole));
+        assertEquals(whole.measures(), meter.measures(), "with the laps");
     }
 
     @Test
