@@ -13,6 +13,9 @@ import faultline.engine.recording.HashTraceRecorder;
 import faultline.engine.recording.Recorder;
 import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
 
@@ -26,6 +29,9 @@ public final class ReferenceRun {
     private final double[] x;
     private final double[] y;
     private final double[] heading;
+    /** The robot from each tick on in which its settings change. */
+    private final NavigableMap<Long, RobotSpec> robots = new TreeMap<>();
+
     private final Recording recording;
     private final RobotPath path;
     private final RunMeasures measures;
@@ -78,6 +84,9 @@ public final class ReferenceRun {
         x[tick] = pose.x();
         y[tick] = pose.y();
         heading[tick] = pose.heading();
+        if (tick == 0 || !simulation.robot().equals(robots.lastEntry().getValue())) {
+            robots.put(simulation.ticks(), simulation.robot());
+        }
         recorder.observe(simulation);
         meter.observe(simulation);
     }
@@ -100,6 +109,15 @@ public final class ReferenceRun {
     public Pose pose(long tick) {
         int index = (int) Math.min(tick, lastTick());
         return new Pose(x[index], y[index], heading[index]);
+    }
+
+    /**
+     * {@return the robot with its settings at a tick; after the last tick, those at the last}
+     *
+     * @param tick the tick, not negative
+     */
+    public RobotSpec robot(long tick) {
+        return robots.floorEntry(tick).getValue();
     }
 
     /** {@return the robot's whole path} */

@@ -2,6 +2,7 @@ package faultline.paint.scene;
 
 import faultline.engine.session.ReferenceRun;
 import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
 import java.util.List;
 
 /**
@@ -20,6 +21,15 @@ public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark
 
     /** Returns the pose of its robot at a time, seconds. */
     Pose poseAt(double time) {
-        return run.pose(Math.round(time / run.setup().dt()));
+        return run.pose(tickAt(time));
+    }
+
+    /** Returns its robot, which may have changed since the start, at a time, seconds. */
+    RobotSpec robotAt(double time) {
+        return run.robot(tickAt(time));
+    }
+
+    private long tickAt(double time) {
+        return Math.round(time / run.setup().dt());
     }
 }

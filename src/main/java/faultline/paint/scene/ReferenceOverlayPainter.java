@@ -47,7 +47,7 @@ public final class ReferenceOverlayPainter {
 
     /** Paints the robot of the reference run at the time of a world. */
     public static void paintRobot(DrawContext context, ReferenceOverlay reference, Snapshot world) {
-        RobotSpec robot = reference.run().setup().robot();
+        RobotSpec robot = reference.robotAt(world.time());
         AffineTransform frame = RigidMotion.poseTransform(reference.poseAt(world.time()));
         Color colour = context.palette().reference();
         context.draw(
@@ -84,7 +84,7 @@ public final class ReferenceOverlayPainter {
         List<Rectangle2D> avoided = new ArrayList<>(covered);
         avoided.add(CornerChoice.robotArea(context.camera(), world.robot(), world.pose()));
         avoided.add(CornerChoice.robotArea(
-                context.camera(), reference.run().setup().robot(), reference.poseAt(world.time())));
+                context.camera(), reference.robotAt(world.time()), reference.poseAt(world.time())));
         world.collision()
                 .ifPresent(collision -> avoided.add(new Rectangle2D.Double(
                         0, 0, context.camera().width(), BADGE_HEIGHT + context.scaleToFont(BADGE_HEIGHT))));

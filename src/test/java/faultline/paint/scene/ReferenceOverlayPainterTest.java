@@ -19,6 +19,7 @@ import faultline.paint.surface.RecordingSurface;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.Command;
 import faultline.world.Snapshot;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
@@ -63,6 +64,18 @@ class ReferenceOverlayPainterTest {
         RobotSpec robot = office.robot().withPlatform(size, size, office.robot().speed());
         Journal journal = new Journal(office.withRobot(robot), List.of(), ticks);
         return new ReferenceOverlay(ReferenceRun.replay(journal, tick -> true), List.of("Ghost"), List.of());
+    }
+
+    @Test
+    void theRobotOfAGhostHasTheSizeThatItHasAtTheTime() throws ScenarioException {
+        SimulationSetup office = Scenario.loadShipped("office.xml").setup();
+        SimulationSetup shrinking = office.withTimeline(
+                List.of(new SimulationSetup.TimedCommand(0.5, new Command.SetPlatform(0.1, 0.08, 0.3))));
+        ReferenceRun run = ReferenceRun.replay(new Journal(shrinking, List.of(), 100), tick -> true);
+        ReferenceOverlay ghost = new ReferenceOverlay(run, List.of("Ghost"), List.of());
+        assertEquals(office.robot(), ghost.robotAt(0.49));
+        assertEquals(0.1, ghost.robotAt(0.5).length());
+        assertEquals(0.08, ghost.robotAt(30).width());
     }
 
     private static Snapshot officeAt(long tick) throws ScenarioException {
