@@ -78,13 +78,14 @@ public final class ReferenceRun {
         }
     }
 
+    @SuppressWarnings("ReferenceEquality") // The same object as long as nothing changes.
     private void record(Simulation simulation, Recorder recorder, RunMeter meter) {
         int tick = (int) simulation.ticks();
         Pose pose = simulation.pose();
         x[tick] = pose.x();
         y[tick] = pose.y();
         heading[tick] = pose.heading();
-        if (tick == 0 || !simulation.robot().equals(robots.lastEntry().getValue())) {
+        if (tick == 0 || simulation.robot() != robots.lastEntry().getValue()) {
             robots.put(simulation.ticks(), simulation.robot());
         }
         recorder.observe(simulation);
