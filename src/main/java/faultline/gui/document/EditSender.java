@@ -116,12 +116,10 @@ final class EditSender {
         // The session answers in order, so the results are there.
         open.session()
                 .journal()
-                .whenCompleteAsync(
-                        (journal, ended) -> {
-                            long ticks = journal == null ? navigator.currentTick() : journal.ticks();
-                            onExecuted.accept(changedLater(open, changes, executed.getNow(List.of()), ticks + 1));
-                        },
-                        EventQueue::invokeLater);
+                .whenComplete((journal, ended) -> EventQueue.invokeLater(() -> {
+                    long ticks = journal == null ? navigator.currentTick() : journal.ticks();
+                    onExecuted.accept(changedLater(open, changes, executed.getNow(List.of()), ticks + 1));
+                }));
     }
 
     /** Applies the results of later changes, given those of the run, and returns them. */

@@ -218,26 +218,29 @@ public final class RunController implements WorkspaceListener {
             Supplier<List<CommandResult>> present = open.document().renames().follow(changes);
             open.session()
                     .journal()
-                    .whenCompleteAsync(
-                            (journal, ended) -> changeStart(open, present.get(), redone, onChanged),
-                            EventQueue::invokeLater);
+                    .whenComplete((journal, ended) ->
+                            EventQueue.invokeLater(() -> changeStart(open, present.get(), redone, onChanged)));
         });
     }
 
     private void changeStart(OpenDocument open, List<CommandResult> changes, boolean redone, Runnable onChanged) {
         pendingChanges--;
-        open.document().changeStart(changes, redone);
-        if (isDocumentOpen(open)) {
-            onChanged.run();
-            workspace.fire(WorkspaceListener::titleChanged);
-            if (isRepositioning()) {
-                // A restart or a move that has been requested since includes the change.
-                navigator.awaitChange();
-            } else {
-                navigator.resimulate();
+        try {
+            open.document().changeStart(changes, redone);
+            if (isDocumentOpen(open)) {
+                onChanged.run();
+                workspace.fire(WorkspaceListener::titleChanged);
+                if (isRepositioning()) {
+                    // A restart or a move that has been requested since includes the change.
+                    navigator.awaitChange();
+                } else {
+                    navigator.resimulate();
+                }
             }
+        } finally {
+            // A save must not wait for a change that has failed.
+            reportDeferredEdits();
         }
-        reportDeferredEdits();
     }
 
     /** Returns whether two changes would make the same of the edited scenario. */

@@ -26,6 +26,7 @@ import faultline.world.Command;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -276,6 +277,22 @@ class SetupChangeTest {
         assertEquals(
                 dt, callOnEdt(() -> workspace.scenario().orElseThrow().setup().dt()));
         failures.clear();
+    }
+
+    @Test
+    void anExceptionInAChangeOfTheStartIsNotCaughtAndNoSaveWaitsForIt() {
+        List<Throwable> uncaught = new CopyOnWriteArrayList<>();
+        Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> uncaught.add(fault));
+        RuntimeException failure = new IllegalStateException("no change");
+        runOnEdt(() -> {
+            run.changeStart(List.of(), true, () -> {
+                throw failure;
+            });
+            assertTrue(workspace.awaitsCommands());
+        });
+        Await.until("the exception", () -> !uncaught.isEmpty());
+        assertEquals(List.of(failure), uncaught);
+        assertFalse(callOnEdt(workspace::awaitsCommands));
     }
 
     @Test
