@@ -16,7 +16,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A change of the id of a sensor or an obstacle, which keeps its place in the list.
+ * A change of the id of a sensor or an obstacle, which keeps its place in the list. One that has been removed and had
+ * the new id gets the one that is free now, so that commands about the two remain different.
  *
  * @param kind what has another id
  * @param before the id before
@@ -34,10 +35,7 @@ public record Rename(Renamed kind, String before, String after) {
         return new Rename(Renamed.SENSOR, before, after);
     }
 
-    /**
-     * Returns a change of the id of an obstacle. Removed obstacles that had the new id get the one that is free now, so
-     * that commands about them and about this one remain different.
-     */
+    /** Returns a change of the id of an obstacle. */
     public static Rename ofObstacle(String before, String after) {
         return new Rename(Renamed.OBSTACLE, before, after);
     }
@@ -64,7 +62,7 @@ public record Rename(Renamed kind, String before, String after) {
         if (id.equals(before)) {
             return after;
         }
-        return !isOfSensor() && id.equals(after) ? before : id;
+        return id.equals(after) ? before : id;
     }
 
     /** Returns the id of an obstacle after this change, given the one before. */
@@ -119,9 +117,12 @@ public record Rename(Renamed kind, String before, String after) {
     /** Returns a command about what has the new id with that id; a command about something else itself. */
     public Command rename(Command command) {
         Optional<String> id = isOfSensor() ? SensorReference.in(command) : ObstacleOrigins.subject(command);
-        return id.filter(now -> !rename(now).equals(now)).isEmpty()
-                ? command
-                : command instanceof Command.SensorCommand about ? about.withSensorId(after) : renamed(command);
+        if (id.filter(now -> !rename(now).equals(now)).isEmpty()) {
+            return command;
+        }
+        return command instanceof Command.SensorCommand about
+                ? about.withSensorId(rename(about.sensorId()))
+                : renamed(command);
     }
 
     private Command renamed(Command aboutObstacle) {

@@ -23,6 +23,13 @@ class RenameTest {
         assertSame(refused, rename.rename(refused));
     }
 
+    @Test
+    void aDeletedSensorThatHadTheNewIdGetsTheEarlierOne() {
+        Rename rename = Rename.ofSensor("left", "front");
+        assertEquals(switched("left"), rename.rename(switched("front")));
+        assertEquals(switched("front"), rename.inverse().rename(rename.rename(switched("front"))));
+    }
+
     private static CommandResult switched(String sensor) {
         return new CommandResult.Executed(1, new Command.SwitchSensor(sensor, false), List.of());
     }

@@ -4,10 +4,13 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
+import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -201,13 +204,38 @@ class EarlierRunUndoTest {
         run.restart();
         run.send(new Command.ConfigureSensor(
                 first.setup().robot().sensor("left").orElseThrow().withRange(0.5)));
-        runOnEdt(() -> new SensorEditor(run.workspace(), new ScenarioEditor(run.controller(), run.edits()), note -> {})
-                .remove("left", () -> {}));
-        run.rest();
+        run.removeSensor("left");
         for (int i = 0; i < 3; i++) {
             run.undo();
         }
         assertEquals(first, run.scenario());
+    }
+
+    /** The sensor front is deleted, and left is called front before both have their own ids again. */
+    @Test
+    void editsAreUndoneAfterASensorHadTheIdOfADeletedOne() {
+        RobotSpec robot = run.scenario().setup().robot();
+        SensorSpec front = robot.sensor("front").orElseThrow();
+        plan(0.05, new Command.ConfigureSensor(front.withNoise(0.1)));
+        Scenario first = run.scenario();
+        run.advanceTo(10);
+        for (String id : List.of("front", "left")) {
+            run.send(new Command.ConfigureSensor(robot.sensor(id).orElseThrow().withRange(0.5)));
+        }
+        run.send(new Command.ConfigureController(WallFollowing.DEFAULT.withDistance(0.4)));
+        run.restart();
+        Scenario edited = run.scenario();
+        run.removeSensor("front");
+        run.renameSensor("left", "front");
+        for (int i = 0; i < 5; i++) {
+            run.undo();
+        }
+        assertEquals(first, run.scenario());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        for (int i = 0; i < 3; i++) {
+            run.redo();
+        }
+        assertEquals(edited, run.scenario());
     }
 
     /** Redo is an edit of the setup, so the run keeps its tick. */

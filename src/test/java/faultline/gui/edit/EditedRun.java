@@ -29,6 +29,7 @@ final class EditedRun {
     private CommandSender sender;
     private UndoController edits;
     private ObstacleEditor obstacles;
+    private SensorEditor sensors;
     private Optional<String> shownUndo = Optional.empty();
 
     EditedRun() {
@@ -38,7 +39,9 @@ final class EditedRun {
             sender = StoppedClock.sender(controller::send);
             edits = new UndoController(sender, () -> shownUndo = edits.undoName());
             edits.follow(workspace, controller);
-            obstacles = new ObstacleEditor(workspace, new ScenarioEditor(controller, edits));
+            ScenarioEditor editor = new ScenarioEditor(controller, edits);
+            obstacles = new ObstacleEditor(workspace, editor);
+            sensors = new SensorEditor(workspace, editor, note -> {});
             sender.setNaming(workspace::ofViews);
             workspace.addListener(new TaskFailures());
             new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
@@ -140,6 +143,17 @@ final class EditedRun {
     /** Sends a command of the drag that has begun. */
     void drag(Command command) {
         runOnEdt(() -> sender.send(command));
+        rest();
+    }
+
+    void removeSensor(String id) {
+        runOnEdt(() -> sensors.remove(id, () -> {}));
+        rest();
+    }
+
+    /** Gives a sensor of the scenario another id, which is not refused. */
+    void renameSensor(String id, String newId) {
+        assertEquals(Optional.empty(), callOnEdt(() -> sensors.rename(id, newId)));
         rest();
     }
 
