@@ -204,6 +204,15 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
+    /** Makes all events of the run commands of the timeline. The edited scenario remains the same. */
+    public void putEventsOnTimeline() {
+        workspace.openDocument().ifPresent(now -> {
+            now.document().putEventsOnTimeline();
+            workspace.fire(listener ->
+                    listener.eventsPutOnTimeline(now.document().initial().setup()));
+        });
+    }
+
     /**
      * Redoes or undoes changes of an earlier run in the setup at the start, as soon as the run has answered all
      * commands, and calls {@code onChanged}. The run is then simulated again as by {@link #change}, without the

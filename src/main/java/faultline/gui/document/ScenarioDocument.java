@@ -205,6 +205,12 @@ final class ScenarioDocument {
         edited = null;
     }
 
+    /** Makes all events of the run commands of the timeline. The edited scenario remains the same. */
+    void putEventsOnTimeline() {
+        editor = editor.withEventsOnTimeline();
+        initial = withTimelineOf(editor);
+    }
+
     /**
      * Prepares a move of the run to a tick. If an event is later than the commands for the next tick, all events of the
      * run become commands of the timeline with the move, so that they are kept whatever is executed at the earlier

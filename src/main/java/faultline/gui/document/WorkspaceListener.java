@@ -26,6 +26,9 @@ public interface WorkspaceListener {
      */
     default void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {}
 
+    /** All events of the run of a setup have become commands of the timeline, while the run stays as it is. */
+    default void eventsPutOnTimeline(SimulationSetup setup) {}
+
     /** The user moves the run to one of its ticks; {@link #runRepositioned} follows when it is there. */
     default void seekStarted(long tick) {}
 

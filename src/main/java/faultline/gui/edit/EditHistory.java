@@ -311,11 +311,16 @@ final class EditHistory {
     boolean moveTo(long tick, boolean eventsOnTimeline, BiFunction<Edit, List<CommandResult>, Edit> replacement) {
         refusedUndos.clear();
         if (eventsOnTimeline) {
-            replaceEvents(replacement);
-            log.removeIf(IS_EVENT);
+            putEventsOnTimeline(replacement);
         }
         boolean reverted = log.retreatTo(tick, change -> mark(change.edit(), !change.done(), change.done()));
         return advanceTo(tick) || reverted;
+    }
+
+    /** Replaces the edits of events that are done: all events of the run have become commands of the timeline. */
+    void putEventsOnTimeline(BiFunction<Edit, List<CommandResult>, Edit> replacement) {
+        replaceEvents(replacement);
+        log.removeIf(IS_EVENT);
     }
 
     /** Follows the run to a later tick; returns whether that undoes or redoes an edit. */

@@ -105,6 +105,11 @@ public final class ScenarioEditor {
         run.change(change);
     }
 
+    /** Makes all events of the run commands of the timeline, where they are undone. */
+    void putEventsOnTimeline() {
+        run.putEventsOnTimeline();
+    }
+
     /** Changes the id of a sensor or an obstacle. */
     void rename(Rename rename) {
         undo.addRename(rename, run::rename);

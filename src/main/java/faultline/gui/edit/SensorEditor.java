@@ -104,6 +104,8 @@ public final class SensorEditor {
                 .scenario()
                 .flatMap(scenario -> PlacedSensor.find(scenario, id))
                 .ifPresent(removed -> {
+                    // The undo of the deletion returns the sensor's events to the timeline, where they are undone then.
+                    editor.putEventsOnTimeline();
                     editor.edit(
                             () -> Messages.get("edit.remove", id),
                             removed,

@@ -327,6 +327,11 @@ public final class UndoController {
             onStateChange.run();
         }
 
+        @Override
+        public void eventsPutOnTimeline(SimulationSetup setup) {
+            history.putEventsOnTimeline((edit, executed) -> timelineEdit(edit, executed, setup));
+        }
+
         /** Later edits can be redone, and are redone automatically when the run reaches them. */
         @Override
         public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {

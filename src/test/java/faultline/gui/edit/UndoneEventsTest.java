@@ -260,6 +260,34 @@ class UndoneEventsTest {
         assertEquals(original, run.scenario());
     }
 
+    @Test
+    void eventsOfASensorAreUndoneAfterItsDeletionHasBeenUndone() {
+        run.send(FAULT);
+        run.send(OFF);
+        run.advance(5);
+        run.send(new Command.ClearFaults("left"));
+        run.send(ON);
+        run.advance(5);
+        run.undo();
+        run.undo();
+        run.advance(5);
+        Scenario edited = run.scenario();
+        run.removeSensor("left");
+        run.undo();
+        assertEquals(edited, run.scenario());
+        assertEquals(List.of(new Fault.Stuck(0.13)), faults());
+        assertUndone("Switch left off");
+        run.undo();
+        assertTrue(isLeftOn());
+        run.undo();
+        assertEquals(List.of(), faults());
+        assertEquals(original, run.scenario());
+        run.redo();
+        run.redo();
+        assertEquals(List.of(new Fault.Stuck(0.13)), faults());
+        assertFalse(isLeftOn());
+    }
+
     private static final Command OFF = new Command.SwitchSensor("left", false);
     private static final Command ON = new Command.SwitchSensor("left", true);
 
