@@ -1,23 +1,15 @@
 package faultline.gui.change;
 
-import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
-import java.util.Deque;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 
 /**
  * What events do to their subject: the switch of a sensor, its faults, or the faults of the motors of a side. The state
@@ -74,22 +66,6 @@ final class EventEffects {
             other(),
             other());
 
-    /** What ends all parts of a state; empty for the switch of a sensor, which another state replaces. */
-    private static final CommandCases<Optional<Command>> RESETS = new CommandCases<>(
-            switchSensor -> Optional.empty(),
-            other(),
-            inject -> Optional.of(new Command.ClearFaults(inject.sensor())),
-            clear -> Optional.of(new Command.ClearFaults(clear.sensor())),
-            Optional::of,
-            inject -> Optional.of(new Command.ClearMotorFaults(inject.motor())),
-            clear -> Optional.of(new Command.ClearMotorFaults(clear.motor())),
-            Optional::of,
-            other(),
-            other(),
-            other(),
-            other(),
-            other());
-
     private static final int NO_PLACE = -1;
 
     private EventEffects() {}
@@ -131,52 +107,6 @@ final class EventEffects {
 
     private static void change(List<Command> state, Command event) {
         event.match(CHANGES).accept(state);
-    }
-
-    /**
-     * Returns the results of executed commands, where those of events have what undoes them in the run of a setup: the
-     * timeline may have been another one when they were executed.
-     */
-    static List<CommandResult> inRun(SimulationSetup setup, List<CommandResult> executed) {
-        Map<Subject, List<Command>> states = new HashMap<>();
-        setup.robot().sensors().forEach(sensor -> setSwitch(states, sensor));
-        Deque<TimedCommand> planned = setup.timeline().stream()
-                .sorted(Comparator.comparingLong(command -> setup.tickAt(command.time())))
-                .collect(Collectors.toCollection(ArrayDeque::new));
-        List<CommandResult> results = new ArrayList<>();
-        for (CommandResult result : executed) {
-            while (!planned.isEmpty() && setup.tickAt(planned.peek().time()) <= result.tick()) {
-                change(states, planned.remove().command());
-            }
-            if (TimelineEvents.isEvent(result.command())) {
-                List<Command> inverse = change(states, result.command());
-                results.add(new CommandResult.Executed(result.tick(), result.command(), inverse));
-            } else {
-                results.add(result);
-            }
-        }
-        return results;
-    }
-
-    private static void setSwitch(Map<Subject, List<Command>> states, SensorSpec sensor) {
-        change(states, new Command.SwitchSensor(sensor.id(), sensor.on()));
-    }
-
-    /** Makes the change of a command in the states of subjects, and returns what undoes it if it is an event. */
-    private static List<Command> change(Map<Subject, List<Command>> states, Command command) {
-        if (command instanceof Command.ConfigureSensor configure) {
-            setSwitch(states, configure.sensor());
-        }
-        if (!TimelineEvents.isEvent(command)) {
-            return List.of();
-        }
-        List<Command> state = states.computeIfAbsent(subject(command), none -> new ArrayList<>());
-        List<Command> inverse = new ArrayList<>();
-        command.match(RESETS).ifPresent(inverse::add);
-        inverse.addAll(state);
-        List<Command> before = List.copyOf(state);
-        change(state, command);
-        return state.equals(before) ? List.of(command) : inverse;
     }
 
     /**

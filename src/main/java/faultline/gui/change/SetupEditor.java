@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -295,37 +294,12 @@ public final class SetupEditor {
                 result.position += i < position ? 1 : 0;
             }
         }
-        result.updateEvents();
         return result;
     }
 
-    /** Determines what undoes the events in a run with the present timeline. */
-    private void updateEvents() {
-        Iterator<CommandResult> present = EventEffects.inRun(
-                        base, entries.stream().map(ExecutedChange::change).toList())
-                .iterator();
-        entries.replaceAll(entry -> entry.withChange(present.next()));
-    }
-
-    /** Returns the result of an event that the run has executed, with what undoes it in the present run. */
-    public CommandResult presentResult(CommandResult event) {
-        return entries.stream()
-                .filter(entry -> TimelineEvents.isEvent(event.command()) && event.equals(entry.executed()))
-                .map(ExecutedChange::change)
-                .findFirst()
-                .orElse(event);
-    }
-
-    /**
-     * Removes the events of the run from a timeline, and returns those that it contained, and those that change nothing
-     * and are on no timeline: another change may give them an effect.
-     */
+    /** Removes the events of the run from a timeline, and returns those that it contained. */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        entries.stream()
-                .map(ExecutedChange::change)
-                .filter(change -> TimelineEvents.isEvent(change.command()) && change.isNoOp())
-                .forEach(taken::add);
         for (CommandResult event : events()) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {

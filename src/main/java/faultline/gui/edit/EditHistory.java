@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
-import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -36,15 +35,10 @@ final class EditHistory {
     private final EditLog log = new EditLog();
     private final RefusedUndos refusedUndos = new RefusedUndos();
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
-    private UnaryOperator<CommandResult> presentResult = UnaryOperator.identity();
 
-    /**
-     * Sets what returns the commands of the timeline that were executed after a tick, and what gives the result of an
-     * event what undoes it with the present timeline.
-     */
-    void setPlan(LongFunction<List<Command>> newPlannedSince, UnaryOperator<CommandResult> newPresentResult) {
+    /** Sets what returns the commands of the timeline that were executed after a tick. */
+    void setPlan(LongFunction<List<Command>> newPlannedSince) {
         plannedSince = newPlannedSince;
-        presentResult = newPresentResult;
     }
 
     /**
@@ -189,8 +183,7 @@ final class EditHistory {
                 .reduce((earlier, later) -> later)
                 .map(EditChange::executed)
                 .orElseGet(edit::results);
-        List<CommandResult> present = executed.stream().map(presentResult).toList();
-        return edit.undoChanges(present, firstResults(edit), plannedSince);
+        return edit.undoChanges(executed, firstResults(edit), plannedSince);
     }
 
     /** Returns the results of an edit when it was first executed before the present tick; it may be redone earlier. */
