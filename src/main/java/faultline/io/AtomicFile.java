@@ -78,6 +78,11 @@ public final class AtomicFile implements AutoCloseable {
         return temporary == null;
     }
 
+    /** Returns whether the commits of this file and another one replace the same file. */
+    boolean replacesSameFile(AtomicFile other) {
+        return !isStream() && !other.isStream() && target.equals(other.target);
+    }
+
     /**
      * Deletes the temporary files that killed processes have left in a folder, also those that a process may just have
      * left. Those that a process is writing, and those that cannot be deleted, stay.

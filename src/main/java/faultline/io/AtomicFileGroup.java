@@ -23,7 +23,8 @@ public final class AtomicFileGroup implements AutoCloseable {
      *
      * @param file the file to create or replace
      * @return the open file, which this group commits and closes
-     * @throws IOException if the file cannot be written, in one sentence
+     * @throws IOException if the file cannot be written, or is the same as another of this group through a link, in one
+     *     sentence
      * @throws IllegalStateException if the group has been closed
      */
     public synchronized AtomicFile create(Path file) throws IOException {
@@ -31,6 +32,10 @@ public final class AtomicFileGroup implements AutoCloseable {
             throw new IllegalStateException("the group is closed");
         }
         AtomicFile created = AtomicFile.create(file);
+        if (files.stream().anyMatch(created::replacesSameFile)) {
+            created.close();
+            throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.OTHER_OUTPUT.with(), null);
+        }
         files.add(created);
         return created;
     }

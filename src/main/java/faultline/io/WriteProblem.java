@@ -25,6 +25,8 @@ public enum WriteProblem implements Message.Template {
     READ_ONLY("writing to the file is not permitted"),
     /** The file is the open scenario. */
     OWN_INPUT("this is the open scenario itself; expected another file"),
+    /** The command has another output that is the same file, through a link. */
+    OTHER_OUTPUT("another output is the same file; expected a file of its own"),
     /** The disk is full. */
     DISK_FULL("the file cannot be written completely, because the disk is full"),
     /** The program that reads the output has closed it. */

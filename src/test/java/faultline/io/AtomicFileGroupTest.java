@@ -68,6 +68,31 @@ class AtomicFileGroupTest {
     }
 
     @Test
+    void aFileThatIsAnotherOneOfTheGroupByALinkIsRefused() throws IOException {
+        Path other = folder.resolve("other");
+        Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("other"));
+        try (AtomicFileGroup group = new AtomicFileGroup()) {
+            group.write(other, new byte[] {'x'});
+            MessageException refusal = assertThrows(MessageException.class, () -> group.create(link));
+            assertEquals(link + ": another output is the same file; expected a file of its own", refusal.getMessage());
+            group.commit();
+        }
+        assertEquals("x", Files.readString(other));
+        assertEquals(List.of(link, other), files());
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there is no null device of this name")
+    void severalFilesMayBeTheSameDevice() throws IOException {
+        try (AtomicFileGroup group = new AtomicFileGroup()) {
+            group.write(Path.of("/dev/null"), new byte[] {'x'});
+            group.write(Path.of("/dev/null"), new byte[] {'y'});
+            group.commit();
+        }
+        assertEquals(List.of(), files());
+    }
+
+    @Test
     void aThreadThatIsLateCreatesNoFileInAClosedGroup() throws IOException {
         AtomicFileGroup group = new AtomicFileGroup();
         group.close();

@@ -52,6 +52,21 @@ class FigureFolderTest {
         assertThrows(IOException.class, () -> figures().writePng("image", image));
     }
 
+    @Test
+    void twoTablesThatAreOneFileOutsideOfTheFolderByLinksAreRefused() throws IOException {
+        Path outside = Files.writeString(folder.resolve("outside.csv"), "precious");
+        folder = Files.createDirectory(folder.resolve("figures"));
+        for (String name : List.of("first.csv", "second.csv")) {
+            Files.createSymbolicLink(folder.resolve(name), Path.of("../outside.csv"));
+        }
+        try (FigureFolder figures = figures()) {
+            figures.writeCsv("first", TABLE);
+            IOException refusal = assertThrows(IOException.class, () -> figures.writeCsv("second", TABLE));
+            assertTrue(refusal.getMessage().contains("another output is the same file"), refusal.getMessage());
+        }
+        assertEquals("precious", Files.readString(outside));
+    }
+
     /** The files of the JDK are a folder that nobody can write to. */
     @Test
     void aFolderThatCannotBeWrittenToIsRefusedAtOnce() {
