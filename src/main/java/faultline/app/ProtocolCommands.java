@@ -25,7 +25,12 @@ final class ProtocolCommands {
         Path file = parsed.singleFile("serve");
         ControllerOptions.addJar(parsed);
         Scenario scenario = Scenario.load(file);
-        new SimulationServer(ProgramVersion.text(), scenario.name(), parsed.has("--truth"), System.in, output.out())
+        new SimulationServer(
+                        ProgramVersion.text(),
+                        scenario.name(),
+                        parsed.has("--truth"),
+                        StandardInput.stream(),
+                        output.out())
                 .run(scenario.setup(), StartingProcess.current()::isGone);
         return ExitCode.SUCCESS;
     }
@@ -40,7 +45,8 @@ final class ProtocolCommands {
             throw new UsageException("the scenario is driven by a controller from outside;"
                     + " expected one whose controller is in the program or in --jar");
         }
-        new BuiltInChild(System.in, output.out()).run(scenario.setup().controller());
+        new BuiltInChild(StandardInput.stream(), output.out())
+                .run(scenario.setup().controller());
         return ExitCode.SUCCESS;
     }
 }
