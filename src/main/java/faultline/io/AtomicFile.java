@@ -94,7 +94,7 @@ public final class AtomicFile implements AutoCloseable {
         TemporaryFile.deleteUnlocked(folder);
     }
 
-    /** Deletes the temporary files of this process, which is about to be halted and writes no others. */
+    /** Deletes the temporary files of this process, which is ending or about to be halted and writes no others. */
     public static void deleteUnfinished() {
         TemporaryFile.deleteUnfinished();
     }

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
 import faultline.paint.surface.SvgTheme;
+import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
@@ -111,6 +113,31 @@ class KilledFiguresTest {
             assertTrue(
                     contents(ended).equals(contents(light)) || contents(ended).equals(contents(dark)));
         }
+    }
+
+    /** Writes figures to a new folder, and then waits without a commit. */
+    static final class WaitingFigures {
+
+        private WaitingFigures() {}
+
+        public static void main(String[] args) throws Exception {
+            try (FigureFolder figures = FigureFolder.create(Path.of(args[0]), SvgTheme.LIGHT)) {
+                figures.writeCsv("table", new CsvTable("a"));
+                System.out.println("written");
+                Thread.sleep(600_000);
+            }
+        }
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end")
+    void newFoldersAreDeletedBySigterm() throws Exception {
+        Process process = JavaProcess.startAndAwaitOutput(
+                WaitingFigures.class.getName(), List.of("" + folder.resolve("new/deep/er")));
+        assertTrue(Files.exists(folder.resolve("new/deep/er")));
+        process.destroy();
+        process.waitFor();
+        assertEquals(List.of(), files(folder));
     }
 
     private static Map<String, ByteBuffer> contents(Path out) throws IOException {

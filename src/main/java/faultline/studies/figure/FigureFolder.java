@@ -1,7 +1,9 @@
 package faultline.studies.figure;
 
+import faultline.io.AtomicFile;
 import faultline.io.AtomicFileGroup;
 import faultline.io.LinkResolver;
+import faultline.io.ShutdownHooks;
 import faultline.paint.chart.Chart;
 import faultline.paint.export.PngImage;
 import faultline.paint.surface.PixelRectangle;
@@ -14,12 +16,15 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.stream.Stream;
 
 /**
  * A folder for figures, and the appearance of the pictures. The files take their places together when all are written;
- * without a commit nothing changes, and a new folder is deleted again. Several threads may write at the same time.
+ * without a commit nothing changes, and new folders are deleted again, also if a signal ends the process. Several
+ * threads may write at the same time.
  */
 public final class FigureFolder implements AutoCloseable {
 
@@ -28,11 +33,12 @@ public final class FigureFolder implements AutoCloseable {
     private final AtomicFileGroup files = new AtomicFileGroup();
 
     /** The folders that did not exist before, innermost first. */
-    private final List<Path> created;
+    private final Deque<Path> created = new ConcurrentLinkedDeque<>();
 
-    private FigureFolder(Path path, List<Path> created, SvgTheme appearance) {
+    private final Thread deletionAtEnd = new Thread(this::deleteWhileEnding, "delete new folders");
+
+    private FigureFolder(Path path, SvgTheme appearance) {
         this.path = path;
-        this.created = created;
         this.appearance = appearance;
     }
 
@@ -45,9 +51,26 @@ public final class FigureFolder implements AutoCloseable {
             throw new AccessDeniedException(path.toString());
         }
         List<Path> missing = Stream.iterate(path.toAbsolutePath(), Path::getParent)
-                .takeWhile(folder -> folder != null && Files.notExists(folder))
+                .takeWhile(folder -> folder != null && !Files.exists(folder))
                 .toList();
-        return new FigureFolder(Files.createDirectories(path), missing, appearance);
+        FigureFolder folder = new FigureFolder(path, appearance);
+        ShutdownHooks.add(folder.deletionAtEnd);
+        try {
+            folder.createFolders(missing);
+        } catch (IOException e) {
+            folder.close();
+            throw e;
+        }
+        return folder;
+    }
+
+    /** Creates the folders that are missing, given innermost first. */
+    private void createFolders(List<Path> missing) throws IOException {
+        for (int i = missing.size() - 1; i >= 0; i--) {
+            Files.createDirectories(missing.get(i));
+            created.addFirst(missing.get(i));
+        }
+        Files.createDirectories(path);
     }
 
     /** {@return the appearance of the pictures} */
@@ -89,10 +112,24 @@ public final class FigureFolder implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
+        ShutdownHooks.remove(deletionAtEnd);
         files.close();
+        deleteEmptyFolders();
+    }
+
+    private void deleteWhileEnding() {
+        AtomicFile.deleteUnfinished();
+        try {
+            deleteEmptyFolders();
+        } catch (IOException e) {
+            // The process is ending, so the failure cannot be reported.
+        }
+    }
+
+    private void deleteEmptyFolders() throws IOException {
         try {
             for (Path folder : created) {
-                Files.delete(folder);
+                Files.deleteIfExists(folder);
             }
         } catch (DirectoryNotEmptyException hasFiles) {
             // The figures, or files of another program, are in it.

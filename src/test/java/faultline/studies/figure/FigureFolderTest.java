@@ -96,6 +96,13 @@ class FigureFolderTest {
     }
 
     @Test
+    void newFoldersAreDeletedIfTheirFolderCannotBeCreated() throws IOException {
+        Path out = folder.resolve("a/b").resolve("x".repeat(300));
+        assertThrows(IOException.class, () -> FigureFolder.create(out, SvgTheme.LIGHT));
+        assertEquals(List.of(), files());
+    }
+
+    @Test
     void newFoldersStayAfterACommit() throws IOException {
         try (FigureFolder figures = FigureFolder.create(folder.resolve("a/b"), SvgTheme.LIGHT)) {
             figures.writeCsv("table", TABLE);
