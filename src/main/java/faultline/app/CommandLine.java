@@ -9,11 +9,8 @@ import faultline.io.ProgramVersion;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -142,24 +139,9 @@ final class CommandLine {
     /** Returns a sentence, because the messages of the file system are often only the name of a file. */
     private static String describe(IOException e) {
         if (e instanceof FileSystemException file && file.getFile() != null) {
-            return file.getFile() + ": " + reason(file);
+            return file.getFile() + ": " + FileProblem.reason(file);
         }
         return e.getMessage();
-    }
-
-    private static String reason(FileSystemException e) {
-        if (e instanceof NoSuchFileException) {
-            return "there is no such file";
-        }
-        if (e instanceof AccessDeniedException) {
-            return "access is denied";
-        }
-        if (e instanceof FileAlreadyExistsException) {
-            return Files.isSymbolicLink(Path.of(e.getFile()))
-                    ? "this link does not lead to a folder; expected a folder"
-                    : "this is a file; expected a folder";
-        }
-        return e.getReason() == null ? "the file cannot be used" : e.getReason();
     }
 
     /** Returns the line that reports why a file cannot be written. */

@@ -129,6 +129,19 @@ class CampaignCommandTest {
         assertTrue(Files.notExists(folder.resolve("o")));
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "figures --out @/file/x, @/file/x: a part of this path is a file; expected a folder",
+        "campaign @/plan.xml --out @/file/x, @/file/x: a part of this path is a file; expected a folder",
+        "campaign @/plan.xml --out @/locked, @/locked/.lock: this is a folder; expected a file"
+    })
+    void aFolderThatCannotBeUsedIsReportedInTheProgramsOwnWords(String arguments, String problem) throws IOException {
+        Files.createFile(folder.resolve("file"));
+        Files.createDirectories(folder.resolve("locked/.lock"));
+        assertEquals(2, command(arguments));
+        assertEquals("faultline: " + problem, errors().strip());
+    }
+
     @Test
     void aLinkThatLeadsNowhereIsNotCalledAFile() throws IOException {
         Files.createSymbolicLink(folder.resolve("link"), folder.resolve("nowhere"));

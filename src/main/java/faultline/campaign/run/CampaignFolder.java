@@ -154,8 +154,11 @@ public final class CampaignFolder {
      */
     FileChannel lock() throws IOException {
         Files.createDirectories(folder);
-        FileChannel channel =
-                FileChannel.open(folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        Path file = folder.resolve(".lock");
+        if (Files.isDirectory(file)) {
+            throw new IOException(file + ": this is a folder; expected a file");
+        }
+        FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         boolean locked = false;
         try {
             locked = tryLock(channel);
