@@ -31,7 +31,7 @@ final class ProtocolCommands {
                         parsed.has("--truth"),
                         StandardInput.stream(),
                         output.out())
-                .run(scenario.setup(), StartingProcess.current()::isGone);
+                .run(scenario.setup(), new ClientProcess()::isGone);
         return ExitCode.SUCCESS;
     }
 

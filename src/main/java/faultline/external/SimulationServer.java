@@ -129,7 +129,7 @@ public final class SimulationServer {
                         episode = new Episode(request.has("seed") ? setup.withSeed(request.whole("seed")) : setup);
                     }
                     case "drive" -> {
-                        if (!drive(episode, request, () -> requests.isEnded() && isClientGone.getAsBoolean())) {
+                        if (!drive(episode, request, () -> isClientGone.getAsBoolean() && requests.isEnded())) {
                             return;
                         }
                     }
