@@ -1,5 +1,8 @@
 package faultline.floorplan;
 
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DataBufferUShort;
 import java.util.BitSet;
 
 /** The brightness of the pixels of a map, row 0 at the top, as in image files. */
@@ -11,20 +14,22 @@ final class MapImage {
      */
     static final long MAX_PIXELS = 64_000_000;
 
+    private static final int MAX_SHORT = 0xffff;
+
     private final int width;
     private final int height;
     private final int max;
-    /** The samples as unsigned numbers, since a large map has tens of millions of them. */
-    private final short[] samples;
+    /** The samples, of 16 bits if possible, since a large map has tens of millions of them. */
+    private final DataBuffer samples;
 
     private final BitSet transparent = new BitSet();
 
-    /** Creates an image of black pixels, given the sample of white, 1 to 65535. */
+    /** Creates an image of black pixels, given the sample of white, at least 1. */
     MapImage(int width, int height, int max) {
         this.width = width;
         this.height = height;
         this.max = max;
-        samples = new short[width * height];
+        samples = max > MAX_SHORT ? new DataBufferInt(width * height) : new DataBufferUShort(width * height);
     }
 
     int width() {
@@ -37,7 +42,7 @@ final class MapImage {
 
     /** Sets a pixel: its sample, 0 for black to that of white, and whether it is not fully opaque. */
     void set(int index, int sample, boolean isTransparent) {
-        samples[index] = (short) sample;
+        samples.setElem(index, sample);
         if (isTransparent) {
             transparent.set(index);
         }
@@ -60,7 +65,7 @@ final class MapImage {
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
                 int index = (top + row) * newWidth + left + column;
-                larger.samples[index] = samples[row * width + column];
+                larger.samples.setElem(index, sample(column, row));
                 larger.transparent.set(index, isTransparent(column, row));
             }
         }
@@ -69,7 +74,7 @@ final class MapImage {
 
     /** Returns the sample of a pixel, from 0 for black to that of white. */
     int sample(int column, int rowFromTop) {
-        return Short.toUnsignedInt(samples[rowFromTop * width + column]);
+        return samples.getElem(rowFromTop * width + column);
     }
 
     /** Returns the sample of white. */

@@ -3,9 +3,11 @@ package faultline.floorplan;
 import faultline.io.ByteCount;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ProblemKind;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
-import java.awt.image.IndexColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.io.BufferedInputStream;
 import java.io.EOFException;
@@ -25,14 +27,14 @@ final class MapImageReader {
 
     private static final long MAX_BYTES = 512L << 20;
     private static final int BUFFER_BYTES = 1 << 16;
-    private static final int MAX_GREY_BITS = 16;
+    private static final int MAX_SAMPLE_BITS = 16;
     /**
      * The names that the JDK's readers give their formats. It can also read JPEG, whose compression changes pixels, and
      * whose decoders may differ by a level of grey, so that the outlines would not be those of the map on each machine.
      */
     private static final Set<String> FORMATS = Set.of("png", "bmp", "gif", "tif");
 
-    /** The sum of the red, green and blue of white. */
+    /** The sum of the red, green and blue of white in the colours of a palette. */
     private static final int WHITE_SUM = 3 * 255;
 
     private MapImageReader() {}
@@ -161,21 +163,19 @@ final class MapImageReader {
     private static MapImage toMapImage(Path file, ImageReader reader) throws IOException {
         BufferedImage image = reader.read(0);
         ColorModel colors = image.getColorModel();
-        // getRGB would convert grey values from a linear colour space; the raw values of the file are required.
-        if (colors instanceof IndexColorModel || colors.getNumColorComponents() > 1) {
+        int bits = colors.getComponentSize(0);
+        if (!(colors instanceof ComponentColorModel) || colors.getNumColorComponents() > 1 && bits > MAX_SAMPLE_BITS) {
             return readColors(image);
         }
-        int bits = colors.getComponentSize(0);
-        if (bits > MAX_GREY_BITS) {
-            throw new FloorPlanException(file, FloorPlanProblem.PIXEL_BITS.with(bits, MAX_GREY_BITS));
+        if (bits > MAX_SAMPLE_BITS) {
+            throw new FloorPlanException(file, FloorPlanProblem.PIXEL_BITS.with(bits, MAX_SAMPLE_BITS));
         }
-        int white = (1 << bits) - 1;
-        return colors.hasAlpha()
-                ? readGreyWithAlpha(image.getRaster(), new StandardMetadata(reader.getImageMetadata(0)), white)
-                : readGrey(image.getRaster(), white);
+        return readSamples(image, reader);
     }
 
-    private static MapImage readColors(BufferedImage image) {
+    /** Returns an image from the colours of its palette, or from samples that are packed or floating-point numbers. */
+    private static MapImage readColors(BufferedImage stored) {
+        BufferedImage image = withoutProfile(stored);
         // getRGB rounds 16 bits of opacity to 8.
         Raster alpha = image.getAlphaRaster();
         MapImage map = new MapImage(image.getWidth(), image.getHeight(), WHITE_SUM);
@@ -190,27 +190,52 @@ final class MapImageReader {
         return map;
     }
 
-    private static MapImage readGrey(Raster raster, int white) {
-        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), white);
-        for (int y = 0; y < raster.getHeight(); y++) {
-            for (int x = 0; x < raster.getWidth(); x++) {
-                map.set(y * map.width() + x, raster.getSample(x, y, 0), false);
-            }
+    /** Returns an image of which getRGB does not convert packed samples from a colour profile. */
+    private static BufferedImage withoutProfile(BufferedImage image) {
+        if (!(image.getColorModel() instanceof DirectColorModel packed)) {
+            return image;
         }
-        return map;
+        ColorModel plain = new DirectColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB),
+                packed.getPixelSize(),
+                packed.getRedMask(),
+                packed.getGreenMask(),
+                packed.getBlueMask(),
+                packed.getAlphaMask(),
+                false,
+                packed.getTransferType());
+        return new BufferedImage(plain, image.getRaster(), false, null);
     }
 
-    private static MapImage readGreyWithAlpha(Raster raster, StandardMetadata metadata, int white) {
-        // The JDK compares the transparent level of a PNG image of few bits with pixels that are already scaled.
-        int transparent = metadata.transparentSample(white).orElse(-1);
-        // The JDK inverts all samples of a TIFF image that stores white as 0, also those of the opacity.
-        int opaque = metadata.isWhiteZero() ? 0 : white;
-        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), white);
+    /**
+     * Returns an image from its samples as the file stores them: getRGB would round samples of 16 bits to 8, and
+     * convert them from a linear colour space or a colour profile.
+     */
+    private static MapImage readSamples(BufferedImage image, ImageReader reader) throws IOException {
+        Raster raster = image.getRaster();
+        ColorModel colors = image.getColorModel();
+        // The JDK calls all samples of an image with more than one further sample colours.
+        int bands = Math.min(3, colors.getNumColorComponents());
+        int max = (1 << colors.getComponentSize(0)) - 1;
+        int transparent = -1;
+        int opaque = max;
+        if (colors.hasAlpha() && bands == 1) {
+            StandardMetadata metadata = new StandardMetadata(reader.getImageMetadata(0));
+            // The JDK compares the transparent level of a PNG image of few bits with pixels that are already scaled.
+            transparent = metadata.transparentSample(max).orElse(-1);
+            // The JDK inverts all samples of a TIFF image that stores white as 0, also those of the opacity.
+            opaque = metadata.isWhiteZero() ? 0 : max;
+        }
+        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), bands * max);
         for (int y = 0; y < raster.getHeight(); y++) {
             for (int x = 0; x < raster.getWidth(); x++) {
-                int sample = raster.getSample(x, y, 0);
-                boolean isTransparent = sample == transparent || raster.getSample(x, y, 1) != opaque;
-                map.set(y * map.width() + x, sample, isTransparent);
+                int sum = raster.getSample(x, y, 0);
+                for (int band = 1; band < bands; band++) {
+                    sum += raster.getSample(x, y, band);
+                }
+                boolean isTransparent =
+                        sum == transparent || colors.hasAlpha() && raster.getSample(x, y, bands) != opaque;
+                map.set(y * map.width() + x, sum, isTransparent);
             }
         }
         return map;
@@ -218,6 +243,6 @@ final class MapImageReader {
 
     private static boolean isOpaque(Raster alpha, int x, int y) {
         int bits = alpha.getSampleModel().getSampleSize(0);
-        return bits > MAX_GREY_BITS || alpha.getSample(x, y, 0) == (1 << bits) - 1;
+        return bits > MAX_SAMPLE_BITS || alpha.getSample(x, y, 0) == (1 << bits) - 1;
     }
 }
