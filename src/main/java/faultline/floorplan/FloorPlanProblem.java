@@ -61,8 +61,16 @@ public enum FloorPlanProblem implements Message.Template {
     IMAGE_FORMAT("the format of the image is not supported; expected PGM (P2, P5), PNG, BMP, GIF or TIFF"),
     /** The image has too many pixels or none. */
     IMAGE_SIZE("the image has {0} x {1} pixels; expected 1 to {2}"),
-    /** The pixels of the image have too many bits. */
-    PIXEL_BITS("a pixel of the image has {0} bits; expected at most {1}"),
+    /** The pixels of a TIFF image have a number of bits that is not supported. */
+    PIXEL_BITS("a pixel of the image has {0} bits; expected 1, 2, 4, 8 or 16"),
+    /** The samples of a TIFF image with several samples per pixel have a number of bits that is not supported. */
+    SAMPLE_BITS("the number of bits of a sample of the image is {0}; expected 8 or 16"),
+    /** The pixels of a TIFF image with a palette have further samples. */
+    PALETTE_SAMPLES("the image has a palette and {0} samples per pixel; expected 1"),
+    /** The samples of a TIFF image are neither grey nor RGB nor indices of a palette. */
+    PHOTOMETRIC("the photometric interpretation of the image is {0}; expected 0 to 3, which is grey, RGB or a palette"),
+    /** The pixels are compressed in a way that is refused. */
+    COMPRESSION("the compression of the image is not supported: {0}"),
     /** The image is a portable map of another kind. */
     PORTABLE_FORMAT("the format of the image is P{0}; expected P2 or P5"),
     /** The maximum value of a portable grey map is not allowed. */

@@ -3,11 +3,9 @@ package faultline.floorplan;
 import faultline.io.ByteCount;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ProblemKind;
-import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.ComponentColorModel;
-import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.io.BufferedInputStream;
 import java.io.EOFException;
@@ -161,21 +159,22 @@ final class MapImageReader {
     }
 
     private static MapImage toMapImage(Path file, ImageReader reader) throws IOException {
+        boolean isTiff = reader.getFormatName().equals("tif");
+        // The tags are checked first: the JDK reads some pixels wrongly, and calls some files damaged.
+        PixelLayout layout = isTiff ? new TiffTags(file, reader.getImageMetadata(0)).layout() : null;
         BufferedImage image = reader.read(0);
         ColorModel colors = image.getColorModel();
-        int bits = colors.getComponentSize(0);
-        if (!(colors instanceof ComponentColorModel) || colors.getNumColorComponents() > 1 && bits > MAX_SAMPLE_BITS) {
-            return readColors(image);
+        if (layout == null) {
+            layout = new PixelLayout(
+                    colors.getNumColorComponents(), colors.hasAlpha() ? colors.getNumColorComponents() : -1);
         }
-        if (bits > MAX_SAMPLE_BITS) {
-            throw new FloorPlanException(file, FloorPlanProblem.PIXEL_BITS.with(bits, MAX_SAMPLE_BITS));
-        }
-        return readSamples(image, reader);
+        return colors instanceof ComponentColorModel && colors.getComponentSize(0) <= MAX_SAMPLE_BITS
+                ? readSamples(image, layout, reader)
+                : readColors(image, layout);
     }
 
     /** Returns an image from the colours of its palette, or from samples that are packed or floating-point numbers. */
-    private static MapImage readColors(BufferedImage stored) {
-        BufferedImage image = withoutProfile(stored);
+    private static MapImage readColors(BufferedImage image, PixelLayout layout) {
         // getRGB rounds 16 bits of opacity to 8.
         Raster alpha = image.getAlphaRaster();
         MapImage map = new MapImage(image.getWidth(), image.getHeight(), WHITE_SUM);
@@ -184,58 +183,38 @@ final class MapImageReader {
                 int argb = image.getRGB(x, y);
                 int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
                 boolean isTransparent = argb >>> 24 < 255 || alpha != null && !isOpaque(alpha, x, y);
-                map.set(y * map.width() + x, sum, isTransparent);
+                map.set(y * map.width() + x, sum, layout.hasOpacity() && isTransparent);
             }
         }
         return map;
-    }
-
-    /** Returns an image of which getRGB does not convert packed samples from a colour profile. */
-    private static BufferedImage withoutProfile(BufferedImage image) {
-        if (!(image.getColorModel() instanceof DirectColorModel packed)) {
-            return image;
-        }
-        ColorModel plain = new DirectColorModel(
-                ColorSpace.getInstance(ColorSpace.CS_sRGB),
-                packed.getPixelSize(),
-                packed.getRedMask(),
-                packed.getGreenMask(),
-                packed.getBlueMask(),
-                packed.getAlphaMask(),
-                false,
-                packed.getTransferType());
-        return new BufferedImage(plain, image.getRaster(), false, null);
     }
 
     /**
      * Returns an image from its samples as the file stores them: getRGB would round samples of 16 bits to 8, and
      * convert them from a linear colour space or a colour profile.
      */
-    private static MapImage readSamples(BufferedImage image, ImageReader reader) throws IOException {
+    private static MapImage readSamples(BufferedImage image, PixelLayout layout, ImageReader reader)
+            throws IOException {
         Raster raster = image.getRaster();
-        ColorModel colors = image.getColorModel();
-        // The JDK calls all samples of an image with more than one further sample colours.
-        int bands = Math.min(3, colors.getNumColorComponents());
-        int max = (1 << colors.getComponentSize(0)) - 1;
+        int max = (1 << image.getColorModel().getComponentSize(0)) - 1;
         int transparent = -1;
         int opaque = max;
-        if (colors.hasAlpha() && bands == 1) {
+        if (layout.hasOpacity() && layout.colors() == 1) {
             StandardMetadata metadata = new StandardMetadata(reader.getImageMetadata(0));
             // The JDK compares the transparent level of a PNG image of few bits with pixels that are already scaled.
             transparent = metadata.transparentSample(max).orElse(-1);
             // The JDK inverts all samples of a TIFF image that stores white as 0, also those of the opacity.
             opaque = metadata.isWhiteZero() ? 0 : max;
         }
-        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), bands * max);
+        MapImage map = new MapImage(raster.getWidth(), raster.getHeight(), layout.colors() * max);
         for (int y = 0; y < raster.getHeight(); y++) {
             for (int x = 0; x < raster.getWidth(); x++) {
                 int sum = raster.getSample(x, y, 0);
-                for (int band = 1; band < bands; band++) {
+                for (int band = 1; band < layout.colors(); band++) {
                     sum += raster.getSample(x, y, band);
                 }
-                boolean isTransparent =
-                        sum == transparent || colors.hasAlpha() && raster.getSample(x, y, bands) != opaque;
-                map.set(y * map.width() + x, sum, isTransparent);
+                boolean isTransparent = layout.hasOpacity() && raster.getSample(x, y, layout.opacity()) != opaque;
+                map.set(y * map.width() + x, sum, isTransparent || sum == transparent);
             }
         }
         return map;

@@ -587,7 +587,7 @@ class FloorPlanTest {
         Path file = folder.resolve("f.tiff");
         assertTrue(ImageIO.write(image, "tiff", file.toFile()));
         IOException e = assertThrows(FloorPlanException.class, () -> read(file, ""));
-        assertEquals(file + ": a pixel of the image has 32 bits; expected at most 16", e.getMessage());
+        assertEquals(file + ": a pixel of the image has 32 bits; expected 1, 2, 4, 8 or 16", e.getMessage());
     }
 
     @Test
