@@ -32,6 +32,9 @@ final class MapImageReader {
      */
     private static final Set<String> FORMATS = Set.of("png", "bmp", "gif", "tif");
 
+    /** The names that the JDK gives the compressions of BMP files that are images of other formats. */
+    private static final Set<String> EMBEDDED_FORMATS = Set.of("BI_JPEG", "BI_PNG");
+
     /** The sum of the red, green and blue of white in the colours of a palette. */
     private static final int WHITE_SUM = 3 * 255;
 
@@ -132,10 +135,21 @@ final class MapImageReader {
             reader.setInput(in, true, true);
             // A size that is stored in 32 bits without a sign is negative here.
             requireSize(file, Integer.toUnsignedLong(reader.getWidth(0)), Integer.toUnsignedLong(reader.getHeight(0)));
+            if (reader.getFormatName().equals("bmp")) {
+                requirePlainBmp(file, new StandardMetadata(reader.getImageMetadata(0)));
+            }
             MapImage map = toMapImage(file, reader);
             return reader.getFormatName().equals("gif") ? onScreen(file, map, reader) : map;
         } finally {
             reader.dispose();
+        }
+    }
+
+    /** Refuses a BMP file that contains an image of another format, such as JPEG. */
+    private static void requirePlainBmp(Path file, StandardMetadata metadata) throws FloorPlanException {
+        String compression = metadata.value("CompressionTypeName");
+        if (EMBEDDED_FORMATS.contains(compression)) {
+            throw new FloorPlanException(file, FloorPlanProblem.COMPRESSION.with(compression));
         }
     }
 

@@ -42,7 +42,7 @@ final class StandardMetadata {
     }
 
     /** Returns the value of an element; empty if there is no such element. */
-    private String value(String element) {
+    String value(String element) {
         return root.getElementsByTagName(element).item(0) instanceof IIOMetadataNode node
                 ? node.getAttribute("value")
                 : "";

@@ -239,6 +239,22 @@ class MapImageReaderTest {
         assertEquals(folder + ": this is not a regular file; expected an image file", e.getMessage());
     }
 
+    @ParameterizedTest
+    @CsvSource({"4, BI_JPEG", "5, BI_PNG"})
+    void aBmpThatContainsAnImageOfAnotherFormatIsRefused(int compression, String name) throws IOException {
+        ByteBuffer bmp = ByteBuffer.allocate(60).order(ByteOrder.LITTLE_ENDIAN);
+        bmp.put(bytes('B', 'M')).putInt(60).putInt(0).putInt(54);
+        bmp.putInt(40)
+                .putInt(1)
+                .putInt(1)
+                .putShort((short) 1)
+                .putShort((short) 24)
+                .putInt(compression);
+        Path file = Files.write(folder.resolve("e.bmp"), bmp.array());
+        FloorPlanException e = assertThrows(FloorPlanException.class, () -> MapImageReader.read(file));
+        assertEquals(file + ": the compression of the image is not supported: " + name, e.getMessage());
+    }
+
     @Test
     void theScreenOfAGifIsExtendedToItsImage() throws IOException {
         MapImage map = MapImageReader.read(gif(0, 0, 0, 0));
