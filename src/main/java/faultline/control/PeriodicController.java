@@ -73,7 +73,8 @@ public final class PeriodicController implements Controller, AutoCloseable {
     }
 
     private void updateWheels(Observation observation) {
-        boolean replaced = lastDecision == null && lastTick > 0;
+        // One that replaces another in the first tick begins as if it were the first one.
+        boolean replaced = lastDecision == null && acting != null && observation.tick() > 1;
         if (acting != null) {
             odometer.advance(
                     observation.robot(),
@@ -83,7 +84,6 @@ public final class PeriodicController implements Controller, AutoCloseable {
                     observation.tick() - lastTick);
         }
         lastTick = observation.tick();
-        // One that replaces the first controller before its second decision begins as if it were the first one.
         if (replaced && delegate instanceof Successor successor) {
             successor.begin(lastTick, odometer.wheels());
         }

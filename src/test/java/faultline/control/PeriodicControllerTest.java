@@ -148,7 +148,24 @@ class PeriodicControllerTest {
                         List.of(),
                         List.of("17 " + new WheelSpeeds(0.1 * 3, 0.1 * 6))),
                 movers.stream().map(mover -> mover.begun).toList(),
-                "the first one, and one after a single decision, begin at rest");
+                "the first one, and one that replaces it in the first tick, begin at rest");
+    }
+
+    /** Constant voltages are decided once, at tick 0. */
+    @Test
+    void aControllerThatReplacesConstantVoltagesLearnsHowFastTheWheelsTurn() {
+        List<Mover> movers = new ArrayList<>();
+        PeriodicController periodic = new PeriodicController(new ControllerSpec.Drive(1, 2), settings -> {
+            movers.add(new Mover(1));
+            return movers.get(movers.size() - 1);
+        });
+        for (long tick = 0; tick < 20; tick++) {
+            if (tick == 10) {
+                periodic.configure(ControllerSpec.WallFollowing.DEFAULT);
+            }
+            periodic.decide(Observations.observation(tick, Map.of()));
+        }
+        assertEquals(List.of("10 " + new WheelSpeeds(0.1, 0.2)), movers.get(1).begun);
     }
 
     /** A controller that keeps what is called and can fail to close. */
