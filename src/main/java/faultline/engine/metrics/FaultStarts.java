@@ -13,7 +13,7 @@ import java.util.Map;
 /** Finds the faults of a timeline that begin, without those that a later command of the same tick ends. */
 final class FaultStarts {
 
-    /** How often each repair follows the present command in the same tick and has ended no other fault. */
+    /** How often each repair or switch follows the present command in its tick and has ended no other fault. */
     private final Map<Command, Integer> repairs = new HashMap<>();
 
     private FaultStarts() {}

@@ -10,6 +10,8 @@ import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import javax.swing.Action;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -21,7 +23,7 @@ public final class RobotPanel extends JPanel {
     private static final double MIN_VALUE = 0.01;
     private static final double MAX_SIZE = 10;
     /** The decimals of the format of the velocity, so that its limit is not rounded up where it is shown. */
-    private static final double SPEED_STEPS = 1e4;
+    private static final int SPEED_DECIMALS = 4;
 
     private static final int COLUMN_GAP = 12;
 
@@ -78,7 +80,9 @@ public final class RobotPanel extends JPanel {
 
     /** Returns a velocity of the motors without the decimals that the field does not show, unless nothing is left. */
     private static double speedLimit(double motorSpeed) {
-        double rounded = Math.floor(motorSpeed * SPEED_STEPS) / SPEED_STEPS;
+        double rounded = BigDecimal.valueOf(motorSpeed)
+                .setScale(SPEED_DECIMALS, RoundingMode.FLOOR)
+                .doubleValue();
         return rounded > 0 ? rounded : motorSpeed;
     }
 

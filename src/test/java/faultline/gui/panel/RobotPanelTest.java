@@ -23,7 +23,12 @@ class RobotPanelTest {
 
     /** 0.12345 m/s per volt and 1.01 V are 0.1246845 m/s. */
     @ParameterizedTest
-    @CsvSource({"0.12345, 1.01, 0.01 to 0.1246, 0.1246", "0.5, 2, 0.01 to 1, 1", "0.001, 1, 0.001 to 0.001, 0.001"})
+    @CsvSource({
+        "0.12345, 1.01, 0.01 to 0.1246, 0.1246",
+        "0.5, 2, 0.01 to 1, 1",
+        "0.57, 1, 0.01 to 0.57, 0.57",
+        "0.001, 1, 0.001 to 0.001, 0.001"
+    })
     void theGreatestVelocityThatTheFieldNamesIsAllowed(double constant, double volts, String limits, String greatest) {
         List<Command> commands = new ArrayList<>();
         RobotSpec robot = RobotSpec.DEFAULT.withMotor(new MotorSpec(0.05, constant, volts));
