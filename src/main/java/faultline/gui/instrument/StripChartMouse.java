@@ -125,7 +125,7 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
 
     @Override
     public void mouseExited(MouseEvent event) {
-        view.setPointer(StripView.NOWHERE);
+        view.removePointer();
     }
 
     @Override
