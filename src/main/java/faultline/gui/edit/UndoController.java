@@ -198,8 +198,11 @@ public final class UndoController {
                 .toList();
         requests.requestSent();
         Consumer<List<CommandResult>> onExecuted = results -> {
-            commandsExecuted(edit, done, changes, results);
-            requests.requestAnswered();
+            try {
+                commandsExecuted(edit, done, changes, results);
+            } finally {
+                requests.requestAnswered();
+            }
         };
         if (changes.stream().allMatch(change -> change.inScenario() == null)) {
             sender.submit(commands, onExecuted);
