@@ -149,19 +149,12 @@ public final class RunController implements WorkspaceListener {
         pendingChanges--;
         SimulationSetup before = open.document().initial().setup();
         open.document().changeForRestart(change);
-        if (isDocumentOpen(open)) {
+        if (workspace.isOpen(open.document())) {
             workspace.fire(listener -> listener.editsIncluded(before));
             workspace.fire(WorkspaceListener::titleChanged);
         }
         reportDeferredEdits();
         return open.document().edited();
-    }
-
-    private boolean isDocumentOpen(OpenDocument open) {
-        return workspace
-                .openDocument()
-                .filter(now -> now.document() == open.document())
-                .isPresent();
     }
 
     /** Reports a change that the run lacks, unless another session has it. */
@@ -236,7 +229,7 @@ public final class RunController implements WorkspaceListener {
         pendingChanges--;
         try {
             open.document().changeStart(changes, redone);
-            if (isDocumentOpen(open)) {
+            if (workspace.isOpen(open.document())) {
                 onChanged.run();
                 workspace.fire(WorkspaceListener::titleChanged);
                 if (isRepositioning()) {
@@ -324,12 +317,14 @@ public final class RunController implements WorkspaceListener {
         submitUnlessFailed(Session::step);
     }
 
-    /** Sends a request unless the run has failed, after changes of the setup at its start have been included. */
+    /**
+     * Sends a request unless the run has failed. A run whose setup was changed at its start begins with the changes
+     * before, also if it has failed there; if that is cancelled or fails, the request is dropped.
+     */
     private void submitUnlessFailed(Consumer<Session> request) {
         submit(open -> {
-            if (navigator.beginWithChanges(open)) {
-                submit(begun -> requestUnlessFailed(begun, request));
-            } else {
+            // The setup may be changed again while the run begins.
+            if (!navigator.beginWithChanges(open, () -> submitUnlessFailed(request))) {
                 requestUnlessFailed(open, request);
             }
         });

@@ -38,6 +38,8 @@ public final class RunNavigator implements WorkspaceListener {
     private boolean lacksChange;
     /** Whether the run resumes after that. */
     private boolean resuming;
+    /** Whether changes at tick 0 are part of the setup, while the run has them as commands of its first tick. */
+    private boolean lacksStart;
 
     RunNavigator(Workspace workspace) {
         this.workspace = workspace;
@@ -47,7 +49,8 @@ public final class RunNavigator implements WorkspaceListener {
      * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, in the state in which it
      * was there before: with the commands that were executed before the next tick. Later commands are executed again at
      * their ticks, unless another command is executed before. If there are later events, all events are put on the
-     * timeline before, where they act from their ticks on. Does nothing while a scenario is being opened.
+     * timeline before, where they act from their ticks on. From tick 0 the run moves with the edited setup, as by
+     * {@link #beginWithChanges}. Does nothing while a scenario is being opened.
      *
      * <p>The tick is one of the present run. If the edited scenario has ticks of another length, because a restart was
      * cancelled, the run moves to its first tick that is not before that time.
@@ -77,18 +80,19 @@ public final class RunNavigator implements WorkspaceListener {
             }
             now.document().prepareMoveTo(target);
         };
-        replay(now, TaskKind.GO_TO, preparation, past -> target, Session::replay);
+        replay(now, TaskKind.GO_TO, preparation, past -> target, Session::replay, () -> {});
     }
 
     /**
      * Begins the run with the edited setup, asynchronously, if it is paused at tick 0 and its setup may have been
      * changed there: these changes act from the start on, as they will when the scenario is saved. Otherwise they would
-     * act in the first tick. Returns false, without an effect, if there is nothing to do, and while a scenario is being
-     * opened.
+     * act in the first tick. {@code then} is called when it has begun, and not if that is cancelled or fails. Returns
+     * false, without an effect, if there is nothing to do, and while a scenario is being opened.
      */
-    boolean beginWithChanges(OpenDocument now) {
+    boolean beginWithChanges(OpenDocument now, Runnable then) {
         boolean paused = !now.session().status().running();
-        if (currentTick() > 0 || !paused || isOpening() || !now.document().mayChangeSetupAtStart()) {
+        boolean changed = lacksStart || now.document().mayChangeSetupAtStart();
+        if (currentTick() > 0 || !paused || isOpening() || !changed) {
             return false;
         }
         LongConsumer preparation = ticks -> {
@@ -96,18 +100,21 @@ public final class RunNavigator implements WorkspaceListener {
                 includeChangesAtStart(now);
             }
         };
-        replay(now, TaskKind.RESIMULATE, preparation, Journal::ticks, Session::resimulate);
+        replay(now, TaskKind.RESIMULATE, preparation, Journal::ticks, Session::resimulate, then);
         return true;
     }
 
     /** Makes the changes of the setup at tick 0 part of the setup, and the events there part of its timeline. */
     private void includeChangesAtStart(OpenDocument now) {
         if (now.document().changesSetupAtStart()) {
-            lacksChange = true;
             SimulationSetup before = now.document().initial().setup();
             now.document().changeForRestart(UnaryOperator.identity());
-            workspace.fire(listener -> listener.editsIncluded(before));
-            workspace.fire(WorkspaceListener::titleChanged);
+            if (workspace.isOpen(now.document())) {
+                lacksChange = true;
+                lacksStart = true;
+                workspace.fire(listener -> listener.editsIncluded(before));
+                workspace.fire(WorkspaceListener::titleChanged);
+            }
         }
     }
 
@@ -145,7 +152,8 @@ public final class RunNavigator implements WorkspaceListener {
                     TaskKind.RESIMULATE,
                     ticks -> now.document().prepareResimulation(),
                     past -> now.tickOfScenario(past.ticks()),
-                    Session::resimulate);
+                    Session::resimulate,
+                    () -> {});
         });
     }
 
@@ -160,7 +168,12 @@ public final class RunNavigator implements WorkspaceListener {
      * commands are known.
      */
     private void replay(
-            OpenDocument now, TaskKind kind, LongConsumer preparation, ToLongFunction<Journal> end, Replay replay) {
+            OpenDocument now,
+            TaskKind kind,
+            LongConsumer preparation,
+            ToLongFunction<Journal> end,
+            Replay replay,
+            Runnable then) {
         now.session().pause();
         CompletableFuture<Journal> pastOfRun = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
@@ -194,7 +207,10 @@ public final class RunNavigator implements WorkspaceListener {
                 });
             }
         };
-        workspace.start(task, maker, () -> reportOtherDecisions(now, past.join(), whole.join()));
+        workspace.start(task, maker, () -> {
+            reportOtherDecisions(now, past.join(), whole.join());
+            then.run();
+        });
     }
 
     /** Reports a run that differs from the one before although only its controller can have decided differently. */
@@ -216,10 +232,7 @@ public final class RunNavigator implements WorkspaceListener {
 
     /** Notes the tick of a session that is left. Its journal may have more, also those of another setup. */
     private void noteFurthestTick(OpenDocument left, long tick) {
-        if (workspace
-                .openDocument()
-                .filter(now -> now.document() == left.document())
-                .isPresent()) {
+        if (workspace.isOpen(left.document())) {
             SimulationSetup setup = left.session().setup();
             furthestTick = Math.max(furthestTickIn(setup), tick);
             furthestDt = setup.dt();
@@ -233,6 +246,7 @@ public final class RunNavigator implements WorkspaceListener {
 
     @Override
     public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
+        lacksStart = false;
         endResimulationAndResume();
     }
 
@@ -286,6 +300,7 @@ public final class RunNavigator implements WorkspaceListener {
 
     @Override
     public void scenarioOpened() {
+        lacksStart = false;
         endResimulation();
         workspace.openDocument().map(now -> now.document().initial()).ifPresent(this::runStarted);
     }

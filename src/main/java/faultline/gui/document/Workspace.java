@@ -68,6 +68,11 @@ public final class Workspace implements AutoCloseable {
         return openDocument().map(OpenDocument::document);
     }
 
+    /** Returns whether a document is the open one. */
+    boolean isOpen(ScenarioDocument other) {
+        return document().filter(now -> now == other).isPresent();
+    }
+
     /** Returns the active task; empty if there is none. */
     public Optional<WorkspaceTask> task() {
         assert EventQueue.isDispatchThread();

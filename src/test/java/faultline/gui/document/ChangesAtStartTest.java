@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests that changes of the setup at 0 s act from the start of the run, as in the saved scenario. */
 @ExtendWith(EdtChecker.class)
@@ -136,11 +137,12 @@ class ChangesAtStartTest {
         assertEquals(hash, SessionFrames.trajectoryHash(workspace));
     }
 
-    @Test
-    void undoAfterwardsChangesTheStart() {
-        SimulationSetup original = setup();
+    @ParameterizedTest
+    @MethodSource("undoneChanges")
+    void undoAfterwardsChangesTheStart(Command change) {
+        Scenario original = scenario();
         runOnEdt(() -> {
-            sender.send(MOVE);
+            sender.send(change);
             run.navigator().seek(TICKS);
         });
         awaitTicks(TICKS);
@@ -148,12 +150,35 @@ class ChangesAtStartTest {
         Await.until(
                 "the undo",
                 () -> workspace.task().isEmpty()
-                        && workspace.scenario().orElseThrow().setup().equals(original));
-        assertEquals(hashOf(original, TICKS), SessionFrames.trajectoryHash(workspace));
+                        && workspace.scenario().orElseThrow().equals(original));
+        assertEquals(hashOf(original.setup(), TICKS), SessionFrames.trajectoryHash(workspace));
+    }
+
+    /** A controller without states hides the expected ones. */
+    private static List<Command> undoneChanges() {
+        return List.of(MOVE, new Command.ConfigureController(new ControllerSpec.None()));
+    }
+
+    @Test
+    void aRunThatIsCancelledWhileItBeginsStaysAtTheStart() {
+        runOnEdt(() -> {
+            sender.send(MOVE);
+            run.step();
+            workspace.cancelTask();
+        });
+        runOnEdt(run::step);
+        awaitTicks(1);
+        SessionFrame frame = SessionFrames.frame(workspace);
+        assertEquals(1, frame.snapshot().tick());
+        assertEquals(hashOf(setup(), 1), frame.frame().trajectoryHash());
     }
 
     private SimulationSetup setup() {
-        return callOnEdt(() -> workspace.scenario().map(Scenario::setup).orElseThrow());
+        return scenario().setup();
+    }
+
+    private Scenario scenario() {
+        return callOnEdt(() -> workspace.scenario().orElseThrow());
     }
 
     private void awaitTicks(long ticks) {
