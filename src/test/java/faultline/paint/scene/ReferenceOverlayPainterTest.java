@@ -76,6 +76,12 @@ class ReferenceOverlayPainterTest {
         assertEquals(office.robot(), ghost.robotAt(0.49));
         assertEquals(0.1, ghost.robotAt(0.5).length());
         assertEquals(0.08, ghost.robotAt(30).width());
+        Pose pose = run.pose(100);
+        Camera camera = new Camera(pose.x(), pose.y(), 300, WIDTH, HEIGHT);
+        Snapshot world = officeAt(100);
+        Rectangle area = painted(camera, context -> ReferenceOverlayPainter.paintRobot(context, ghost, world));
+        double turned = 30 * Math.abs(Math.cos(pose.heading())) + 24 * Math.abs(Math.sin(pose.heading()));
+        assertEquals(turned, area.width, 5, "0.1 x 0.08 m at 300 pixels per metre, and the width of the line");
     }
 
     private static Snapshot officeAt(long tick) throws ScenarioException {
