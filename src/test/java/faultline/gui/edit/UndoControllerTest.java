@@ -5,6 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
@@ -533,6 +534,23 @@ class UndoControllerTest {
             late.undo();
         });
         assertEquals(List.of(3.9, 4.0), places(answers));
+    }
+
+    @Test
+    void aListenerThatFailsBlocksNoLaterUndo() {
+        runOnEdt(() -> {
+            sender.send(moveTo(3.9));
+            sender.send(addLamp());
+            controller.setUndoListener(tick -> {
+                throw new IllegalStateException("this listener fails");
+            });
+        });
+        assertThrows(AssertionError.class, () -> runOnEdt(controller::undo));
+        runOnEdt(() -> {
+            controller.setUndoListener(tick -> {});
+            controller.undo();
+        });
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
     }
 
     @Test
