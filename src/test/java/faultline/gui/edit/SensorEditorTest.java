@@ -98,7 +98,8 @@ class SensorEditorTest {
     }
 
     private void waitForRun() {
-        Await.until("the run", () -> workspace.task().isEmpty());
+        Await.until(
+                "the run", () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
     }
 
     private Optional<String> add() {
