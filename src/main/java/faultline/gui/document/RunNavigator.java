@@ -5,7 +5,6 @@ import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.session.Session;
-import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.util.Collections;
 import java.util.OptionalLong;
@@ -19,7 +18,6 @@ import java.util.function.UnaryOperator;
 /** Moves the run to other ticks: a new session replays the journal of the old one. Event dispatch thread only. */
 public final class RunNavigator implements WorkspaceListener {
 
-    private static final long NONE = -1;
     private static final ControllerSpec NO_CONTROLLER = new ControllerSpec.None();
 
     private final Workspace workspace;
@@ -28,12 +26,8 @@ public final class RunNavigator implements WorkspaceListener {
      * which can take seconds and much memory in a large world.
      */
     private final Object replaying = new Object();
-    /** The furthest tick of the sessions before the open one, and the length of its ticks, seconds. */
-    private long furthestTick;
 
-    private double furthestDt;
-
-    private long replayEnd = NONE;
+    private final RunExtent extent = new RunExtent();
     /** Whether the setup has been changed, and no run with the change has started since. */
     private boolean lacksChange;
     /** Whether the run resumes after that. */
@@ -80,7 +74,7 @@ public final class RunNavigator implements WorkspaceListener {
             }
             now.document().prepareMoveTo(target);
         };
-        replay(now, TaskKind.GO_TO, preparation, past -> target, Session::replay, () -> {});
+        simulate(now, new RunMove(TaskKind.GO_TO, preparation, past -> target, Session::replay), () -> {});
     }
 
     /**
@@ -100,7 +94,7 @@ public final class RunNavigator implements WorkspaceListener {
                 includeChangesAtStart(now);
             }
         };
-        replay(now, TaskKind.RESIMULATE, preparation, Journal::ticks, Session::resimulate, then);
+        simulate(now, new RunMove(TaskKind.RESIMULATE, preparation, Journal::ticks, Session::resimulate), then);
         return true;
     }
 
@@ -147,54 +141,50 @@ public final class RunNavigator implements WorkspaceListener {
             }
             resuming |= now.session().status().running();
             discardFuture();
-            replay(
-                    now,
-                    TaskKind.RESIMULATE,
-                    ticks -> now.document().prepareResimulation(),
-                    past -> now.tickOfScenario(past.ticks()),
-                    Session::resimulate,
-                    () -> {});
+            LongConsumer preparation = ticks -> now.document().prepareResimulation();
+            ToLongFunction<Journal> present = past -> now.tickOfScenario(past.ticks());
+            simulate(now, new RunMove(TaskKind.RESIMULATE, preparation, present, Session::resimulate), () -> {});
         });
     }
 
-    /** Starts a session after a replay. */
+    /** Starts a session after a simulation. */
     @FunctionalInterface
-    private interface Replay {
+    private interface SessionStarter {
         Session start(Journal journal, long tick, LongPredicate shouldContinue);
     }
 
     /**
-     * Pauses a run and replays it up to a tick, after a preparation at the present tick when the results of all
-     * commands are known.
+     * A simulation of the run from its start.
+     *
+     * @param preparation edits the document before its journal is taken, given the present tick; all results are known
+     * @param end the tick to simulate to, given the journal of the run until now
      */
-    private void replay(
-            OpenDocument now,
-            TaskKind kind,
-            LongConsumer preparation,
-            ToLongFunction<Journal> end,
-            Replay replay,
-            Runnable then) {
+    private record RunMove(
+            TaskKind kind, LongConsumer preparation, ToLongFunction<Journal> end, SessionStarter starter) {}
+
+    /** Pauses a run, simulates it asynchronously, and calls {@code then} when the new session has replaced the old. */
+    private void simulate(OpenDocument now, RunMove move, Runnable then) {
         now.session().pause();
         CompletableFuture<Journal> pastOfRun = now.session().journal();
         CompletableFuture<Journal> whole = now.session()
                 .fullJournal()
                 .thenApplyAsync(
                         journal -> {
-                            preparation.accept(journal.ticks());
+                            move.preparation().accept(journal.ticks());
                             return now.document().journal(journal.ticks());
                         },
                         EventQueue::invokeLater);
         CompletableFuture<Journal> past = whole.thenCombineAsync(
                 pastOfRun,
                 (made, ofRun) -> {
-                    noteFurthestTick(now, ofRun.ticks());
+                    leave(now, ofRun.ticks());
                     return now.document().renames().inJournal(ofRun);
                 },
                 EventQueue::invokeLater);
-        WorkspaceTask task = new WorkspaceTask(kind, now.document().displayPath());
+        WorkspaceTask task = new WorkspaceTask(move.kind(), now.document().displayPath());
         Callable<OpenDocument> maker = () -> {
             Journal journal = whole.join();
-            long tick = end.applyAsLong(past.join());
+            long tick = move.end().applyAsLong(past.join());
             synchronized (replaying) {
                 task.progress().throwIfCancelled();
                 LongPredicate shouldContinue = reached -> {
@@ -203,7 +193,8 @@ public final class RunNavigator implements WorkspaceListener {
                 };
                 return now.withSession(workspace, choice -> {
                     SimulationSetup setup = choice.apply(journal.setup());
-                    return replay.start(new Journal(setup, journal.entries(), journal.ticks()), tick, shouldContinue);
+                    return move.starter()
+                            .start(new Journal(setup, journal.entries(), journal.ticks()), tick, shouldContinue);
                 });
             }
         };
@@ -231,17 +222,10 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     /** Notes the tick of a session that is left. Its journal may have more, also those of another setup. */
-    private void noteFurthestTick(OpenDocument left, long tick) {
+    private void leave(OpenDocument left, long tick) {
         if (workspace.isOpen(left.document())) {
-            SimulationSetup setup = left.session().setup();
-            furthestTick = Math.max(furthestTickIn(setup), tick);
-            furthestDt = setup.dt();
+            extent.leave(left.session().setup(), tick);
         }
-    }
-
-    /** Returns the furthest tick of the sessions before in the ticks of a run, which may have another length. */
-    private long furthestTickIn(SimulationSetup run) {
-        return run.dt() == furthestDt ? furthestTick : run.tickAt(furthestTick * furthestDt);
     }
 
     @Override
@@ -302,7 +286,7 @@ public final class RunNavigator implements WorkspaceListener {
     public void scenarioOpened() {
         lacksStart = false;
         endResimulation();
-        workspace.openDocument().map(now -> now.document().initial()).ifPresent(this::runStarted);
+        workspace.openDocument().map(now -> now.document().initial()).ifPresent(extent::start);
     }
 
     @Override
@@ -310,22 +294,14 @@ public final class RunNavigator implements WorkspaceListener {
         scenarioOpened();
     }
 
-    /** Sets the furthest tick; all of a recorded run can be reached from its start. */
-    private void runStarted(Scenario scenario) {
-        furthestTick = scenario.recorded() ? scenario.setup().ticks() : 0;
-        furthestDt = scenario.setup().dt();
-        replayEnd = scenario.recorded() ? furthestTick : NONE;
-    }
-
     /** Forgets the later ticks, because a command has been executed or the setup has been changed. */
     void discardFuture() {
-        furthestTick = 0;
-        replayEnd = NONE;
+        extent.discardFuture();
     }
 
     /** Returns the last tick of a recorded run; empty if the run is not a replay, or has been changed by a command. */
     public OptionalLong replayEnd() {
-        return replayEnd == NONE ? OptionalLong.empty() : OptionalLong.of(replayEnd);
+        return extent.replayEnd();
     }
 
     /**
@@ -335,8 +311,8 @@ public final class RunNavigator implements WorkspaceListener {
     public long furthestTick() {
         long before = workspace
                 .openDocument()
-                .map(now -> furthestTickIn(now.session().setup()))
-                .orElse(furthestTick);
+                .map(now -> extent.furthestTickIn(now.session().setup()))
+                .orElse(0L);
         return Math.max(before, currentTick());
     }
 }
