@@ -65,6 +65,8 @@ public enum FloorPlanProblem implements Message.Template {
     PIXEL_BITS("a pixel of the image has {0} bits; expected 1, 2, 4, 8 or 16"),
     /** The samples of a TIFF image with several samples per pixel have a number of bits that is not supported. */
     SAMPLE_BITS("the number of bits of a sample of the image is {0}; expected 8 or 16"),
+    /** The samples of a TIFF image are signed. */
+    SIGNED_SAMPLES("the samples of the image are signed integers; expected unsigned ones"),
     /** The pixels of a TIFF image with a palette have further samples. */
     PALETTE_SAMPLES("the image has a palette and {0} samples per pixel; expected 1"),
     /** The samples of a TIFF image are neither grey nor RGB nor indices of a palette. */

@@ -64,6 +64,10 @@ final class TiffTags {
         if (photometric == BaselineTIFFTagSet.PHOTOMETRIC_INTERPRETATION_PALETTE_COLOR && bits.length > 1) {
             throw new FloorPlanException(file, FloorPlanProblem.PALETTE_SAMPLES.with(bits.length));
         }
+        if (IntStream.of(sampleFormats())
+                .anyMatch(format -> format == BaselineTIFFTagSet.SAMPLE_FORMAT_SIGNED_INTEGER)) {
+            throw new FloorPlanException(file, FloorPlanProblem.SIGNED_SAMPLES.with());
+        }
         requireBits();
         boolean isRgb = photometric == BaselineTIFFTagSet.PHOTOMETRIC_INTERPRETATION_RGB && bits.length >= RGB_SAMPLES;
         int colors = isRgb ? RGB_SAMPLES : 1;
@@ -94,8 +98,11 @@ final class TiffTags {
     private boolean isFloat() {
         return isRgbOrRgba()
                 && Arrays.stream(bits).allMatch(size -> size == FLOAT_BITS)
-                && number(BaselineTIFFTagSet.TAG_SAMPLE_FORMAT, BaselineTIFFTagSet.SAMPLE_FORMAT_UNSIGNED_INTEGER)
-                        == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
+                && sampleFormats()[0] == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
+    }
+
+    private int[] sampleFormats() {
+        return numbers(BaselineTIFFTagSet.TAG_SAMPLE_FORMAT, BaselineTIFFTagSet.SAMPLE_FORMAT_UNSIGNED_INTEGER);
     }
 
     private boolean isRgbOrRgba() {

@@ -17,6 +17,7 @@ final class TiffFile {
     static final int PHOTOMETRIC = 262;
     static final int COLOR_MAP = 320;
     static final int EXTRA_SAMPLES = 338;
+    static final int SAMPLE_FORMAT = 339;
     static final int PROFILE = 34675;
 
     private static final int FIRST_PIXEL = 8;

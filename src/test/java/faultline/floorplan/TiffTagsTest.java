@@ -67,6 +67,14 @@ class TiffTagsTest {
                 new int[samples]);
     }
 
+    @Test
+    void signedSamplesAreRefused() throws IOException {
+        String reason = "the samples of the image are signed integers; expected unsigned ones";
+        assertRefused(reason, new TiffFile(1, 8).with(TiffFile.SAMPLE_FORMAT, 2), 100);
+        assertRefused(reason, new TiffFile(2, 8, 8, 8).with(TiffFile.SAMPLE_FORMAT, 1, 1, 2), 100, 100, 100);
+        assertValues(read(new TiffFile(1, 8).with(TiffFile.SAMPLE_FORMAT, 1), 100), 100);
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 4, 8, 16})
     void aGreyOfUsualBitsIsRead(int bits) throws IOException {
