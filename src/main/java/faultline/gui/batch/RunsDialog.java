@@ -12,8 +12,6 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Window;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -44,14 +42,7 @@ abstract class RunsDialog extends JDialog {
         assert EventQueue.isDispatchThread();
         this.actions = actions;
         UiText.name(tabs, "batch.tabs");
-        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent event) {
-                close();
-            }
-        });
-        DialogButtons.onEscape(this, this::close);
+        DialogButtons.onClose(this, this::close);
         QuitKey.install(this);
     }
 

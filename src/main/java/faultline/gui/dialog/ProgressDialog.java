@@ -10,8 +10,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.Window;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
@@ -50,13 +48,6 @@ public final class ProgressDialog extends JDialog {
             Window owner, Supplier<String> title, ModalityType modality, Supplier<String> sentence, Runnable cancel) {
         super(owner, modality);
         RefreshSteps.add(getRootPane(), root -> setTitle(title.get()));
-        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent event) {
-                cancel.run();
-            }
-        });
         RefreshSteps.add(progressBar, bar -> bar.getAccessibleContext().setAccessibleName(sentence.get()));
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));

@@ -72,7 +72,7 @@ public final class Gallery extends JDialog {
         content.add(footer(atStart, atStartChanged, onTour), BorderLayout.SOUTH);
         setContentPane(content);
         EmptyToolTips.disable(content);
-        DialogButtons.onEscape(this, this::dispose);
+        DialogButtons.onClose(this, this::dispose);
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
         addWindowListener(new WindowAdapter() {

@@ -5,6 +5,8 @@ import java.awt.Container;
 import java.awt.FlowLayout;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -15,6 +17,7 @@ import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
+import javax.swing.WindowConstants;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicOptionPaneUI;
 
@@ -41,8 +44,18 @@ public final class DialogButtons {
         }
     }
 
-    /** Runs an action if Escape is pressed in a dialog, unless that closes a menu. */
-    public static void onEscape(JDialog dialog, Runnable action) {
+    /**
+     * Runs an action when the user closes a dialog by its title bar or by Escape, unless that closes a menu. Nothing
+     * else closes the dialog then.
+     */
+    public static void onClose(JDialog dialog, Runnable action) {
+        dialog.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        dialog.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                action.run();
+            }
+        });
         dialog.getRootPane()
                 .registerKeyboardAction(
                         event -> closeMenuOrRun(action),
@@ -88,12 +101,15 @@ public final class DialogButtons {
                                 step > 0 ? FocusEvent.Cause.TRAVERSAL_FORWARD : FocusEvent.Cause.TRAVERSAL_BACKWARD));
     }
 
-    /** Returns a row with the only button of a dialog, given the key of its text. Enter and Escape press it, too. */
+    /**
+     * Returns a row with the only button of a dialog, given the key of its text. The title bar, Enter and Escape run
+     * its action, too.
+     */
     public static JPanel createSingleButton(JDialog dialog, String key, Runnable action) {
         JButton button = UiText.button(key);
         button.addActionListener(event -> action.run());
         dialog.getRootPane().setDefaultButton(button);
-        onEscape(dialog, action);
+        onClose(dialog, action);
         JPanel row = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
         row.add(button);
         return row;

@@ -1,20 +1,31 @@
 package faultline.gui.window;
 
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.swing.JDialog;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 
-/** Windows that are closed can be reclaimed, with their runs: nothing that outlives them refers to them. */
+/**
+ * Windows and dialogs that are closed keep nothing of the system's. A window can be reclaimed with its run: nothing
+ * that outlives it refers to it.
+ */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -39,6 +50,28 @@ class ClosedWindowsRobotTest {
             System.gc();
             return windows.stream().filter(window -> window.get() != null).count() <= 1;
         });
+    }
+
+    @Test
+    void dialogsThatAreClosedByTheirTitleBarsAreDisposedOf() {
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/office.xml"))) {
+            Map<String, String> dialogs = new HashMap<>(DIALOGS);
+            dialogs.put("guide", "User guide");
+            dialogs.forEach((action, title) -> {
+                driver.chooseLater(action);
+                JDialog dialog = driver.dialog(title);
+                runOnEdt(() -> dialog.dispatchEvent(new WindowEvent(dialog, WindowEvent.WINDOW_CLOSING)));
+                driver.robot().waitFor(title + " is gone", () -> !dialog.isShowing());
+                assertEquals(List.of(), callOnEdt(() -> displayableDialogs(driver.window())));
+            });
+        }
+    }
+
+    private static List<String> displayableDialogs(Window owner) {
+        return Stream.of(owner.getOwnedWindows())
+                .filter(window -> window instanceof JDialog && window.isDisplayable())
+                .map(window -> ((JDialog) window).getTitle())
+                .toList();
     }
 
     private static WeakReference<MainWindow> useAndClose() {
