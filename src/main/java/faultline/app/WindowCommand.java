@@ -14,11 +14,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
 
 /** The command without a name: opens the window, or runs without one if there is no display. */
 final class WindowCommand {
@@ -86,20 +88,25 @@ final class WindowCommand {
         }
     }
 
-    /**
-     * Opens a file. A large one is read while the window is made; if it has problems, the caller closes the window by
-     * ending the process.
-     */
     private int run(Path file) throws UsageException, ScenarioException {
         Future<Scenario> reading = startReading(file);
         boolean display = hasDisplay();
         if (!display) {
             return runWithoutWindow(await(reading, Long.MAX_VALUE).orElseThrow(), file.toString());
         }
-        await(reading, file.toFile().length() < LARGE_FILE ? MILLIS_BEFORE_WINDOW : 0);
-        GuiLauncher.open(file, () -> await(reading, Long.MAX_VALUE).orElseThrow());
-        await(reading, Long.MAX_VALUE);
+        openWhileReading(file, reading, scenario -> GuiLauncher.open(file, scenario));
         return ExitCode.SUCCESS;
+    }
+
+    /**
+     * Opens a window for a file. A large one is read while the window is made; if it has problems, the caller closes
+     * the window by ending the process.
+     */
+    private static void openWhileReading(Path file, Future<Scenario> reading, Consumer<Callable<Scenario>> window)
+            throws ScenarioException {
+        await(reading, file.toFile().length() < LARGE_FILE ? MILLIS_BEFORE_WINDOW : 0);
+        window.accept(() -> await(reading, Long.MAX_VALUE).orElseThrow());
+        await(reading, Long.MAX_VALUE);
     }
 
     /**
@@ -151,7 +158,7 @@ final class WindowCommand {
     }
 
     /** Opens the window and closes it after its first frame. */
-    int measureStartup(List<String> arguments) throws UsageException {
+    int measureStartup(List<String> arguments) throws UsageException, ScenarioException {
         Arguments parsed = new Arguments(arguments, List.of());
         requireOneFile(parsed);
         requireDisplay("--startup-time");
@@ -161,10 +168,23 @@ final class WindowCommand {
         } else {
             Path file = Arguments.parsePath(parsed.files().get(0));
             Future<Scenario> reading = startReading(file);
-            GuiLauncher.openUntilFirstPaint(
-                    file, () -> await(reading, Long.MAX_VALUE).orElseThrow(), report);
+            openWhileReading(
+                    file,
+                    reading,
+                    scenario -> GuiLauncher.openUntilFirstPaint(file, scenario, () -> reportIfRead(reading, report)));
         }
         return ExitCode.SUCCESS;
+    }
+
+    /** Returns whether a scenario has been read and reported. The first frame of a bad file is that of an example. */
+    private static boolean reportIfRead(Future<Scenario> reading, Runnable report) {
+        try {
+            await(reading, Long.MAX_VALUE);
+            report.run();
+            return true;
+        } catch (ScenarioException bad) {
+            return false;
+        }
     }
 
     private int runWithoutWindow(Scenario scenario, String name) throws UsageException {

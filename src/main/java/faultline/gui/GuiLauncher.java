@@ -17,6 +17,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -65,23 +66,27 @@ public final class GuiLauncher {
      * called.
      */
     public static void openUntilFirstPaint(Runnable painted) {
-        openUntilFirstPaint(window -> window.openShipped(ShippedScenarios.DEFAULT), painted);
+        openUntilFirstPaint(window -> window.openShipped(ShippedScenarios.DEFAULT), () -> {
+            painted.run();
+            return true;
+        });
     }
 
     /**
-     * Opens the window with a scenario, which is read on another thread, and closes it after it has painted its first
-     * frame and called {@code painted} on the event dispatch thread.
+     * Opens the window with a scenario, which is read on another thread. Calls {@code painted} on the event dispatch
+     * thread after the first frame, and closes the window if that returns true.
      */
-    public static void openUntilFirstPaint(Path file, Callable<Scenario> reader, Runnable painted) {
+    public static void openUntilFirstPaint(Path file, Callable<Scenario> reader, BooleanSupplier painted) {
         openUntilFirstPaint(window -> window.open(file, reader), painted);
     }
 
-    private static void openUntilFirstPaint(Consumer<MainWindow> scenario, Runnable painted) {
+    private static void openUntilFirstPaint(Consumer<MainWindow> scenario, BooleanSupplier painted) {
         EventQueue.invokeLater(() -> {
             MainWindow window = createWindow(WindowPreferences.forCurrentUser(), scenario);
             window.onFirstPaint(() -> {
-                painted.run();
-                window.dispose();
+                if (painted.getAsBoolean()) {
+                    window.dispose();
+                }
             });
         });
     }
