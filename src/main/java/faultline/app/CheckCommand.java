@@ -43,7 +43,7 @@ final class CheckCommand {
         }
     }
 
-    private int checkFile(String file) throws UsageException {
+    private int checkFile(String file) {
         try {
             Path path = Arguments.parsePath(file);
             if (PlanFiles.isPlan(path)) {
@@ -54,6 +54,10 @@ final class CheckCommand {
                 output.println(file + ": good");
             }
             return ExitCode.SUCCESS;
+        } catch (UsageException e) {
+            // The name cannot be that of a file, which is no reason to keep the problems of the others back.
+            output.printError(e.getMessage());
+            return ExitCode.BAD_INPUT;
         } catch (ScenarioException e) {
             output.printError(e);
             return ExitCode.BAD_INPUT;

@@ -253,6 +253,17 @@ class CommandLineTest {
     }
 
     @Test
+    void checkReportsANameThatNoFileCanHaveAndTheOtherFiles() {
+        CommandResult checked = command("check", "", "gone.xml", COLLIDING_SCENARIO);
+        assertEquals(
+                new CommandResult(
+                        2,
+                        COLLIDING_SCENARIO + ": good\n",
+                        "\"\" cannot be the name of a file\ngone.xml: there is no such file\n"),
+                checked);
+    }
+
+    @Test
     void checkReportsValidAndInvalidFiles() throws IOException {
         Path bad = Files.writeString(folder.resolve("bad.xml"), "<scenario/>");
         assertEquals(
