@@ -3,10 +3,13 @@ package faultline.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,7 +65,21 @@ class FailureReportingStreamTest {
 
     @Test
     void aFileThatIsAbandonedIsClosedWithoutAComplaint() {
-        new FailureReportingStream(FILE, failing(new IOException((String) null))).closeIgnoringErrors();
+        List<String> closed = new ArrayList<>();
+        OutputStream out = new OutputStream() {
+            @Override
+            public void write(int b) {
+                fail("nothing is written");
+            }
+
+            @Override
+            public void close() throws IOException {
+                closed.add("the file");
+                throw new IOException((String) null);
+            }
+        };
+        new FailureReportingStream(FILE, out).closeIgnoringErrors();
+        assertEquals(List.of("the file"), closed);
     }
 
     @Test
