@@ -11,6 +11,7 @@ public final class Keyframes {
 
     private final Frame[] frames;
     private final int size;
+    /** The number of ticks between two frames. */
     private final long stride;
 
     Keyframes(Frame[] frames, int size, long stride) {
@@ -22,11 +23,6 @@ public final class Keyframes {
     /** {@return the number of frames} */
     public int size() {
         return size;
-    }
-
-    /** {@return the number of ticks between two frames} */
-    public long stride() {
-        return stride;
     }
 
     /**

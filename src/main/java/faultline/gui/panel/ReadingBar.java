@@ -114,11 +114,6 @@ final class ReadingBar extends AccessibleComponent {
         return shownText;
     }
 
-    /** Returns which of the sensor's readings is shown. */
-    ReadingKind readingKind() {
-        return readingKind;
-    }
-
     @Override
     protected void paintComponent(Graphics graphics) {
         ThemeColours colours = Theme.currentColours();

@@ -348,11 +348,12 @@ class RecorderTest {
             List<Moment> moments = moments(room, (int) frame.snapshot().tick());
             assertTrue(keyframes.size() <= KeyframeRecorder.MAX_FRAMES
                     && keyframes.size() >= KeyframeRecorder.MAX_FRAMES / 2);
+            long newest =
+                    keyframes.frameAt(Long.MAX_VALUE).orElseThrow().snapshot().tick();
+            long stride = newest / (keyframes.size() - 1);
             for (long tick = 0; tick < frame.snapshot().tick(); tick += 100) {
                 Frame key = keyframes.frameAt(tick).orElseThrow();
-                assertEquals(
-                        tick / keyframes.stride() * keyframes.stride(),
-                        key.snapshot().tick());
+                assertEquals(tick / stride * stride, key.snapshot().tick());
                 assertEquals(moments.get((int) key.snapshot().tick()).hash(), key.trajectoryHash());
             }
         }
@@ -371,7 +372,6 @@ class RecorderTest {
             simulation.tick();
             recorder.add(simulation.frame());
             assertEquals(1023, early.frameAt(1023).orElseThrow().snapshot().tick());
-            assertEquals(2, recorder.view().stride());
             assertEquals(
                     1022, recorder.view().frameAt(1023).orElseThrow().snapshot().tick());
             assertEquals(
