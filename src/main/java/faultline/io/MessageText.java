@@ -11,6 +11,9 @@ public final class MessageText {
     /** The beginning of a formula, or of a text with an apostrophe before it. */
     private static final Pattern FORMULA = Pattern.compile("'*+[=+@-]");
 
+    /** The control characters, which no id has. Marks of the writing direction may be in ids and stay in tables. */
+    private static final Pattern CONTROLS = Pattern.compile("[\\x00-\\x1F\\x7F-\\x9F]");
+
     private MessageText() {}
 
     /**
@@ -116,14 +119,16 @@ public final class MessageText {
      */
     public static String csvCell(String text) {
         String cell = cell(text);
-        return isPlain(cell) ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
+        return isPlain(cell)
+                ? cell
+                : '"' + CONTROLS.matcher(cell).replaceAll(" ").replace("\"", "\"\"") + '"';
     }
 
     /** Returns whether a cell needs no quotes. */
     private static boolean isPlain(String cell) {
         for (int i = 0; i < cell.length(); i++) {
             char c = cell.charAt(i);
-            if (c == ',' || c == '"' || c < ' ') {
+            if (c == ',' || c == '"' || Character.isISOControl(c)) {
                 return false;
             }
         }

@@ -76,6 +76,10 @@ class MessageTextTest {
     @Test
     void theControlCharactersOfACellBecomeBlanks() {
         assertEquals("\"a b c\"", MessageText.csvCell("a\nb\0c"));
+        assertEquals("\"a b\"", MessageText.csvCell("a\u007fb"));
+        assertEquals("\"a b,c\"", MessageText.csvCell("a\u0085b,c"));
+        // An id may have a mark of the writing direction, and reports find its rows by it.
+        assertEquals("a\u200eb", MessageText.csvCell("a\u200eb"));
     }
 
     @Test
