@@ -2,7 +2,6 @@ package faultline.app;
 
 import faultline.io.WriteProblem;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
@@ -12,9 +11,6 @@ import java.nio.file.Path;
 
 /** Why a file or a folder cannot be used. The operating system gives its reasons in the language of the user. */
 final class FileProblem {
-
-    /** The longest name on all common systems, bytes. */
-    private static final int MAX_NAME_BYTES = 255;
 
     private FileProblem() {}
 
@@ -39,7 +35,7 @@ final class FileProblem {
         if (isReadOnly(existing)) {
             return "its file system is read-only";
         }
-        if (isTooLong(file, e)) {
+        if (WriteProblem.isTooLong(file, e)) {
             return WriteProblem.NAME_TOO_LONG.english();
         }
         return e.getReason() == null ? "the file cannot be used" : e.getReason();
@@ -60,14 +56,5 @@ final class FileProblem {
         } catch (IOException unknown) {
             return false;
         }
-    }
-
-    private static boolean isTooLong(Path file, FileSystemException e) {
-        for (Path name : file) {
-            if (name.toString().getBytes(StandardCharsets.UTF_8).length > MAX_NAME_BYTES) {
-                return true;
-            }
-        }
-        return String.valueOf(e.getReason()).contains("too long");
     }
 }

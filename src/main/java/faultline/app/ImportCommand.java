@@ -41,7 +41,7 @@ final class ImportCommand {
                 .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
         FloorPlan plan = read(map, parsed, options(parsed));
         Arguments.requireDistinct(List.of(map, plan.description().image()), List.of(target));
-        String name = map.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        String name = FloorPlanScenario.nameFor(map);
         Optional<String> start = parsed.value("--start");
         Scenario scenario = start.isPresent()
                 ? FloorPlanScenario.create(name, plan, start(start.get()))

@@ -11,6 +11,7 @@ import faultline.world.Clearance;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -26,6 +27,15 @@ public final class FloorPlanScenario {
     private static final double DURATION = 120;
 
     private FloorPlanScenario() {}
+
+    /**
+     * {@return the name of the scenario of a map: that of its file without the extension}
+     *
+     * @param file the map or image
+     */
+    public static String nameFor(Path file) {
+        return file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    }
 
     /**
      * {@return the scenario, with the robot in the middle of a large free disc} The disc about the middle of a cell is

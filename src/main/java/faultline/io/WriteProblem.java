@@ -7,6 +7,7 @@ import java.nio.file.FileStore;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.OptionalLong;
 
 /** Why a file cannot be written. */
@@ -66,11 +67,24 @@ public enum WriteProblem implements Message.Template {
         if (failure instanceof AccessDeniedException) {
             return FOLDER_READ_ONLY;
         }
-        // The reason is in the language of the system.
-        int nameBytes = String.valueOf(file.getFileName()).getBytes(StandardCharsets.UTF_8).length;
-        boolean tooLong = nameBytes > MAX_NAME_BYTES
-                || String.valueOf(failure.getReason()).contains("too long");
-        return tooLong ? NAME_TOO_LONG : CANNOT_WRITE;
+        Path name = Objects.requireNonNullElse(file.getFileName(), file);
+        return isTooLong(name, failure) ? NAME_TOO_LONG : CANNOT_WRITE;
+    }
+
+    /**
+     * {@return whether a file or folder cannot be used because a name of its path is too long} The operating system
+     * says so in the language of the user, so the lengths are compared, too.
+     *
+     * @param path the path
+     * @param failure the failure to use it
+     */
+    public static boolean isTooLong(Path path, FileSystemException failure) {
+        for (Path name : path) {
+            if (name.toString().getBytes(StandardCharsets.UTF_8).length > MAX_NAME_BYTES) {
+                return true;
+            }
+        }
+        return String.valueOf(failure.getReason()).contains("too long");
     }
 
     /**

@@ -35,6 +35,13 @@ class FloorPlanScenarioTest {
     private Path folder;
 
     @Test
+    void theNameIsThatOfTheFileWithoutItsLastExtension() {
+        assertEquals("office", FloorPlanScenario.nameFor(Path.of("maps", "office.yaml")));
+        assertEquals("office.2", FloorPlanScenario.nameFor(Path.of("office.2.png")));
+        assertEquals("office", FloorPlanScenario.nameFor(Path.of("office")));
+    }
+
+    @Test
     void theSavedScenarioHoldsTheBitmap() throws Exception {
         Random random = new Random(4);
         for (int trial = 0; trial < 20; trial++) {

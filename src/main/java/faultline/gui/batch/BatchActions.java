@@ -8,14 +8,13 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.dialog.ControllerActions;
+import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.Leaving;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
-import faultline.gui.text.TextWrap;
 import faultline.scenario.Scenario;
-import java.awt.Component;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
@@ -24,7 +23,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import javax.swing.JOptionPane;
 import javax.swing.Timer;
 
 /** The actions that open the batch of the open scenario and earlier results, and what their dialogs need. */
@@ -200,7 +198,7 @@ public final class BatchActions {
                 failure -> {
                     reading.stop();
                     if (owner.isDisplayable()) {
-                        showProblem(owner, OpenedResults.failureText(chosen, failure));
+                        Dialogs.showWarning(owner, OpenedResults.failureText(chosen, failure));
                     }
                 });
     }
@@ -230,10 +228,5 @@ public final class BatchActions {
     /** Asks for the folder of results; empty if cancelled. */
     Optional<Path> chooseResultsFolder(BatchSource source) {
         return files.chooseNewFolder("batchResults", source.file("-batch"));
-    }
-
-    void showProblem(Component parent, String sentence) {
-        JOptionPane.showMessageDialog(
-                parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.WARNING_MESSAGE);
     }
 }

@@ -3,6 +3,7 @@ package faultline.gui.batch;
 import faultline.campaign.run.Outcome;
 import faultline.external.ControllerChoice;
 import faultline.gui.action.QuitKey;
+import faultline.gui.dialog.Dialogs;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.ScreenFit;
@@ -147,6 +148,6 @@ abstract class RunsDialog extends JDialog {
     }
 
     final void showProblem(String sentence) {
-        actions.showProblem(this, sentence);
+        Dialogs.showWarning(this, sentence);
     }
 }

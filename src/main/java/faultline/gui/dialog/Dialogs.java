@@ -111,8 +111,21 @@ public final class Dialogs {
     /** Shows why the chosen controller does not start, so that a scenario opens with its own. */
     public void showControllerFailure(Path file, Throwable cause) {
         String text = Messages.get("chooseController.failed", FileNames.lastOf(file), reasonText(file, cause));
-        JOptionPane.showMessageDialog(
-                owner, TextWrap.wrap(text), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+        showError(owner, text);
+    }
+
+    /** Shows why something has failed. */
+    public static void showError(Component parent, String sentence) {
+        showFailed(parent, sentence, JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** Shows why something has failed or cannot be done, where the user can correct it and try again. */
+    public static void showWarning(Component parent, String sentence) {
+        showFailed(parent, sentence, JOptionPane.WARNING_MESSAGE);
+    }
+
+    private static void showFailed(Component parent, String sentence, int icon) {
+        JOptionPane.showMessageDialog(parent, TextWrap.wrap(sentence), Messages.get("failed.title"), icon);
     }
 
     /** Returns the message for an open file that another program has made unreadable. */

@@ -5,6 +5,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.dialog.Dialogs;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.Leaving;
 import faultline.gui.document.Workspace;
@@ -12,7 +13,6 @@ import faultline.gui.document.WorkspaceListener;
 import faultline.gui.instrument.StripContent;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
-import faultline.gui.text.TextWrap;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
 import faultline.io.LinkResolver;
@@ -36,7 +36,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.print.PrintService;
-import javax.swing.JOptionPane;
 
 /**
  * Exports what the canvas shows, and the run. Images have the light theme, even in a dark window, unless dark ones are
@@ -349,7 +348,6 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void showErrorDialog(String sentence) {
-        JOptionPane.showMessageDialog(
-                parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+        Dialogs.showError(parent, sentence);
     }
 }

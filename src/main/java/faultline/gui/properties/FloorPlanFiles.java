@@ -48,7 +48,7 @@ public final class FloorPlanFiles {
                         MapDescription.of(file, BigDecimal.valueOf(pixels.resolution()))
                                 .withOccupied(pixels.whiteIsOccupied(), pixels.threshold()),
                         options);
-        String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        String name = FloorPlanScenario.nameFor(file);
         Scenario scenario = start == null
                 ? FloorPlanScenario.create(name, plan, helpfulSettings(file))
                 : FloorPlanScenario.create(name, plan, start);
