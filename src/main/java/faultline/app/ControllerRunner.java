@@ -20,7 +20,7 @@ record ControllerRunner(ControllerChoice choice, ProcessControllerSource.ChildSe
     RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
         try (ProcessControllerSource source = new ProcessControllerSource(choice.text(), settings).keepOpen()) {
             SimulationSetup chosen = choice.applyTo(setup, source);
-            if (!choice.isCommand()) {
+            if (!ControllerChoice.startsCommand(chosen)) {
                 return HeadlessRun.run(chosen, mode, observers);
             }
             List<TickObserver> all = new ArrayList<>(observers);

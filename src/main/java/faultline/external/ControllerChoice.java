@@ -64,6 +64,16 @@ public record ControllerChoice(String text, List<Path> jars) {
         return !isScenarioDefault() && !isInJars() && !ControllerNames.all().contains(text);
     }
 
+    /**
+     * {@return whether a run starts a child process, because a command was chosen for it} This searches nothing.
+     *
+     * @param setup the setup of the run, as a choice has returned it
+     */
+    public static boolean startsCommand(SimulationSetup setup) {
+        return setup.controller() instanceof ControllerSpec.Chosen chosen
+                && chosen.source() instanceof ProcessControllerSource;
+    }
+
     private boolean isInJars() {
         return !jars.isEmpty()
                 && ControllerJars.callWith(

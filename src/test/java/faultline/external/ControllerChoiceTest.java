@@ -100,6 +100,18 @@ class ControllerChoiceTest {
     }
 
     @Test
+    void onlyARunWithACommandStartsIt() throws Exception {
+        SimulationSetup setup = yard();
+        SimulationSetup chosen = ControllerChoice.of("python3 robot.py").applyTo(setup, "Yard", line -> {});
+        assertTrue(ControllerChoice.startsCommand(chosen));
+        assertFalse(ControllerChoice.startsCommand(setup));
+        assertFalse(ControllerChoice.startsCommand(ControllerChoice.of("none").applyTo(setup, "Yard", line -> {})));
+        ControllerSource jar = new JarControllerSource("mine", List.of(), Map.of());
+        assertFalse(ControllerChoice.startsCommand(
+                setup.withController(new ControllerSpec.Chosen(setup.controller(), jar))));
+    }
+
+    @Test
     void theFileOfTheScenarioNamesTheController() throws Exception {
         ControllerSpec.Provided own = new ControllerSpec.Provided("mine", 0.05, Map.of("distance", "0.3"));
         SimulationSetup setup = yard().withController(own);

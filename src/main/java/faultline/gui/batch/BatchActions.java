@@ -91,21 +91,11 @@ public final class BatchActions {
         Path stem = files.suggestedFile("");
         Consumer<Scenario> reopening = files.reopening();
         ControllerChoice chosen = controllers.chosen();
+        // If a jar is broken by now, the batch says so when it starts.
+        boolean program = controllers.startsProgram();
         files.editedScenario()
-                .ifPresent(edited -> edited.thenAccept(
-                        open -> showDialog(new BatchSource(open, stem, () -> reopening.accept(open)), chosen)));
-    }
-
-    private void showDialog(BatchSource open, ControllerChoice chosen) {
-        if (chosen.isScenarioDefault()) {
-            showDialog(open, chosen, false);
-        } else {
-            // If a jar is broken by now, the batch says so when it starts.
-            BackgroundTasks.compute(
-                    chosen::isCommand,
-                    program -> showDialog(open, chosen, program),
-                    failure -> showDialog(open, chosen, false));
-        }
+                .ifPresent(edited -> edited.thenAccept(open ->
+                        showDialog(new BatchSource(open, stem, () -> reopening.accept(open)), chosen, program)));
     }
 
     private void showDialog(BatchSource open, ControllerChoice chosen, boolean startsProgram) {

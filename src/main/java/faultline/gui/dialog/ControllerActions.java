@@ -1,6 +1,7 @@
 package faultline.gui.dialog;
 
 import faultline.engine.RunFailedException;
+import faultline.engine.SimulationSetup;
 import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Notes;
@@ -99,7 +100,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
 
     private void startGhost() {
         ControllerChoice chosen = ghostChoice;
-        comparison.compareWith(chosen, errorLines.forGhost(), () -> remember(chosen));
+        comparison.compareWith(chosen, errorLines.forGhost(), setup -> remember(chosen, setup));
     }
 
     private void returnToScenarios() {
@@ -114,6 +115,11 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     /** Returns the controller that drives the robot of the open scenario. */
     public ControllerChoice chosen() {
         return started;
+    }
+
+    /** Returns whether that controller is a command, which starts a program. */
+    public boolean startsProgram() {
+        return workspace.session().stream().anyMatch(session -> ControllerChoice.startsCommand(session.setup()));
     }
 
     /** Returns the jars with controllers that the user has added. */
@@ -231,21 +237,16 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
                     },
                     failure -> {});
             if (!chosen.equals(before)) {
-                remember(chosen);
+                workspace.session().ifPresent(session -> remember(chosen, session.setup()));
             }
         }
     }
 
-    /** Adds a controller to the recent commands if it is one. */
-    private void remember(ControllerChoice chosen) {
-        BackgroundTasks.compute(
-                chosen::isCommand,
-                program -> {
-                    if (program) {
-                        recentCommands.add(chosen.text());
-                    }
-                },
-                failure -> {});
+    /** Adds a controller to the recent commands if it is one, given the setup of a run that it has been started for. */
+    private void remember(ControllerChoice chosen, SimulationSetup setup) {
+        if (ControllerChoice.startsCommand(setup)) {
+            recentCommands.add(chosen.text());
+        }
     }
 
     @Override

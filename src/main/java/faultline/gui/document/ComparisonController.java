@@ -84,10 +84,10 @@ public final class ComparisonController implements WorkspaceListener {
     /**
      * Runs the edited scenario from its start to its duration with another controller and makes that the reference run,
      * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error,
-     * until the reference run is cancelled or replaced by another one; {@code onStarted} is called when the controller
-     * has started.
+     * until the reference run is cancelled or replaced by another one; {@code onStarted} is called with the setup of
+     * the reference run when the controller has started.
      */
-    public void compareWith(ControllerChoice controller, Consumer<String> errors, Runnable onStarted) {
+    public void compareWith(ControllerChoice controller, Consumer<String> errors, Consumer<SimulationSetup> onStarted) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             String name =
@@ -101,7 +101,8 @@ public final class ComparisonController implements WorkspaceListener {
                     }
                 };
                 SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), whileActive);
-                return replay(name, new Journal(setup, List.of(), setup.ticks()), progress, onStarted);
+                return replay(
+                        name, new Journal(setup, List.of(), setup.ticks()), progress, () -> onStarted.accept(setup));
             });
         });
     }

@@ -290,7 +290,7 @@ class ControllerActionsTest {
                 List.of(command), callOnEdt(() -> preferences.recentCommands().texts()));
     }
 
-    /** The jars are not searched each time that the run is moved. */
+    /** Moving the run does not bring a command to the top of the list again. */
     @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the program is a shell script")
     void aCommandIsRememberedWhenItIsChosenAndNotInEverySession(@TempDir Path folder) throws IOException {

@@ -122,7 +122,7 @@ class ComparisonControllerTest {
                 "read hello; echo '{\"type\":\"ready\",\"protocol\":1,\"name\":\"waiter\"}'; echo begun >&2; "
                         + "cat > /dev/null; echo interrupted >&2");
         List<String> lines = new CopyOnWriteArrayList<>();
-        runOnEdt(() -> controller.compareWith(ControllerChoice.of("sh " + program), lines::add, () -> {}));
+        runOnEdt(() -> controller.compareWith(ControllerChoice.of("sh " + program), lines::add, setup -> {}));
         Await.until("the first line", () -> !lines.isEmpty());
         runOnEdt(replaced ? controller::captureCurrentRun : controller::removeReference);
         Await.until("the end of the lines", () -> Thread.getAllStackTraces().keySet().stream()
@@ -196,7 +196,7 @@ class ComparisonControllerTest {
     }
 
     private ReferenceRun ghostWith(ControllerChoice selection, String name) {
-        runOnEdt(() -> controller.compareWith(selection, line -> {}, () -> {}));
+        runOnEdt(() -> controller.compareWith(selection, line -> {}, setup -> {}));
         waitFor("the ghost", comparison -> comparison
                 .filter(made -> name.equals(made.name()))
                 .isPresent());
@@ -234,7 +234,8 @@ class ComparisonControllerTest {
         open(file);
         Await.until("the other scenario", () -> workspace.file().equals(Optional.of(file)));
         AtomicInteger starts = new AtomicInteger();
-        runOnEdt(() -> controller.compareWith(ControllerChoice.of("none"), line -> {}, starts::incrementAndGet));
+        runOnEdt(() ->
+                controller.compareWith(ControllerChoice.of("none"), line -> {}, setup -> starts.incrementAndGet()));
         waitFor("the ghost", Optional::isPresent);
         assertEquals(0, callOnEdt(() -> update().orElseThrow().run().lastTick()));
         assertEquals(1, starts.get());

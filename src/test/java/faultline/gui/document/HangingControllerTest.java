@@ -175,7 +175,7 @@ class HangingControllerTest {
         ComparisonController comparison = callOnEdt(() -> new ComparisonController(workspace, run.navigator()));
         program(-1);
         String command = "sh '" + folder.resolve(programs + ".sh") + "'";
-        runOnEdt(() -> comparison.compareWith(ControllerChoice.of(command), line -> {}, () -> {}));
+        runOnEdt(() -> comparison.compareWith(ControllerChoice.of(command), line -> {}, setup -> {}));
         ProcessHandle program = runningProgram();
         long removed = System.nanoTime();
         runOnEdt(comparison::removeReference);
@@ -188,7 +188,7 @@ class HangingControllerTest {
         ComparisonController comparison = callOnEdt(() -> new ComparisonController(workspace, run.navigator()));
         program(-1);
         String command = "sh '" + folder.resolve(programs + ".sh") + "'";
-        runOnEdt(() -> comparison.compareWith(ControllerChoice.of(command), line -> {}, () -> {}));
+        runOnEdt(() -> comparison.compareWith(ControllerChoice.of(command), line -> {}, setup -> {}));
         ProcessHandle program = runningProgram();
         long closed = System.nanoTime();
         runOnEdt(() -> {
