@@ -181,7 +181,7 @@ final class CompareCommand {
             try {
                 RunResult result = runOnce(choice, scenario.name(), setup, options, end);
                 runs.add(ControllerRuns.ComparedRun.of(result, end.path, end.metres, scenario.setup()));
-                replays.putIfAbsent(replayFile, JournalScenario.create(scenario, end.journal));
+                replays.computeIfAbsent(replayFile, file -> JournalScenario.create(scenario, end.journal));
             } catch (RunFailedException e) {
                 if (i == 0 && e instanceof ControllerStartException) {
                     // It is likely to be misspelt. A start that fails later, for lack of memory say, is one failed run.
