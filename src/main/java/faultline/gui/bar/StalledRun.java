@@ -10,8 +10,9 @@ import java.util.function.LongSupplier;
  */
 final class StalledRun {
 
+    /** The shortest time without a tick after which a running run is stalled, seconds. */
     private static final double MIN_SECONDS = 2;
-    /** The time in which a run pauses unless it waits, long enough that ordinary pauses show nothing. */
+    /** The time after which a run that has not paused is stalled, seconds. An ordinary pause takes less. */
     private static final double PAUSE_SECONDS = 0.1;
 
     private static final double NANOS_PER_SECOND = 1e9;

@@ -9,14 +9,14 @@ import java.util.function.Predicate;
 import javax.swing.JLabel;
 
 /**
- * Shows one sentence. A note that stays for as long as it takes to read hides the notes that are kept, of which the
- * newest is shown. Below them come the condition of the run, and last the line that a program has printed.
+ * Shows the first of these sentences that exists: a note, for as long as it takes to read; the newest of the notes that
+ * are kept; the condition of the run; and the line that a program has printed, for as long as it takes to read.
  */
 final class StatusNote extends JLabel {
 
     /** Minimum time for which a note stays, milliseconds. */
     private static final int MIN_MILLIS = 5000;
-    /** Minimum time for which a note stays that no longer holds, milliseconds. */
+    /** Minimum time for which a note that no longer holds stays, milliseconds. */
     private static final int MIN_READ_MILLIS = 1000;
     /** Time per character for which a note stays, so that a long one can be read to its end, milliseconds. */
     private static final int MILLIS_PER_CHARACTER = 80;

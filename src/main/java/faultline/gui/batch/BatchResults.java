@@ -116,9 +116,9 @@ final class BatchResults {
     }
 
     /**
-     * Returns the cells of a table in the order in which they are shown, given the cells of its header and rows. Sums
-     * come last, after the first block of runs, so that no cell changes its place while runs are added; one over the
-     * same runs as another cell is omitted. Safe on any thread.
+     * Returns the cells of a table in the order in which they are shown, given the texts of its header and rows. The
+     * sums come last, and only when the first block of runs is complete, so that no cell changes its place while runs
+     * are added. A sum over the same runs as another cell is omitted. Safe on any thread.
      */
     static List<CampaignCell> cellsOf(CampaignPlan plan, List<List<String>> lines) {
         List<CampaignCell> all = CampaignCell.allOf(plan, lines);

@@ -92,8 +92,9 @@ final class BatchRun {
     }
 
     /**
-     * Returns the next row that has not been taken yet, as its cells; null if there is none now. If its run had a row
-     * before, that one and all behind it were not in the table when the batch was continued.
+     * Returns the cells of the next row that has not been taken yet; null if there is none now. If an earlier row was
+     * of the same run, this one replaces it, and all rows after it are void: they were not in the table any more when
+     * the batch was continued.
      */
     List<String> takeRow() {
         return newRows.poll();

@@ -37,7 +37,7 @@ public final class Workspace implements AutoCloseable {
     private volatile boolean choiceTried;
 
     private WorkspaceTask task;
-    /** Starts the task again that has failed, unless another one has started since then. */
+    /** Restarts the failed task, unless another one has started since then. */
     private Runnable failedTask = () -> {};
 
     private boolean closed;
@@ -150,7 +150,7 @@ public final class Workspace implements AutoCloseable {
                 });
     }
 
-    /** Starts the last task again, if it has failed. */
+    /** Restarts the last task if it has failed. */
     public void retry() {
         failedTask.run();
     }
