@@ -70,6 +70,20 @@ class ExamplePlansTest {
     }
 
     @ParameterizedTest
+    @CsvSource({
+        "wanted-distance, 0052-steps-away-from-a-wall, 3010001 to 3010100",
+        "room-to-turn, 0052-steps-away-from-a-wall, 3030001 to 3030100",
+        "replaced-follower, 0043-one-odometer, 3040001 to 3040120"
+    })
+    void theDecisionsNameTheRoomsOfTheirPlans(String name, String page, String rooms) throws Exception {
+        CampaignPlan plan = PlanFiles.read(Path.of("scenarios/campaigns", name + ".xml"));
+        String decision = Files.readString(Path.of("docs/decisions", page + ".md"));
+        assertTrue(decision.replaceAll("\\s+", " ").contains("(" + rooms + ")"), rooms);
+        PlannedRun last = plan.run(plan.runCount() - 1);
+        assertEquals(rooms, (plan.run(0).world() + " to " + last.world()).replace("room-", ""));
+    }
+
+    @ParameterizedTest
     @MethodSource("plans")
     void everyShippedPlanIsGood(Path file) throws Exception {
         CampaignPlan plan = PlanFiles.read(file);
