@@ -69,15 +69,24 @@ final class BlindSpotMemory {
      * @param sensor the sensor
      * @param toTheLeft the next sensor to the left, {@link SensorView#NONE} if there is none
      * @param toTheRight the next sensor to the right
+     * @param wallOnTheLeft whether it sees a long wall on the left, which does not leave the cone at the right edge
      * @param rolled the distance rolled, metres
      * @param turn the turn, radians
      */
-    void update(SensorView sensor, SensorView toTheLeft, SensorView toTheRight, double rolled, double turn) {
+    void update(
+            SensorView sensor,
+            SensorView toTheLeft,
+            SensorView toTheRight,
+            boolean wallOnTheLeft,
+            double rolled,
+            double turn) {
         left.advance(rolled, turn);
         right.advance(rolled, turn);
         if (sensor.detects()) {
             place(left, sensor, toTheLeft, sensor.halfCone(), rolled, turn);
-            place(right, sensor, toTheRight, -sensor.halfCone(), rolled, turn);
+            if (!wallOnTheLeft) {
+                place(right, sensor, toTheRight, -sensor.halfCone(), rolled, turn);
+            }
         }
     }
 

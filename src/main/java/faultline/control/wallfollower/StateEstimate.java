@@ -88,8 +88,11 @@ final class StateEstimate {
         frontNoise.update(currentFront.reading());
         frontMemory.update(currentFront, odometer.deltaDistance(), odometer.deltaHeading(), robot().width() / 2);
         front = frontMemory.withRememberedRange(currentFront);
-        frontLeftMemory.update(frontLeft, left, currentFront, odometer.deltaDistance(), odometer.deltaHeading());
-        leftMemory.update(left, SensorView.NONE, frontLeft, odometer.deltaDistance(), odometer.deltaHeading());
+        double rolled = odometer.deltaDistance();
+        double turn = odometer.deltaHeading();
+        boolean seesWall = left.detects() && Math.abs(frontLeftBehindWall()) <= SAME_WALL_TOLERANCE;
+        frontLeftMemory.update(frontLeft, left, currentFront, seesWall, rolled, turn);
+        leftMemory.update(left, SensorView.NONE, frontLeft, false, rolled, turn);
     }
 
     /**
@@ -156,6 +159,29 @@ final class StateEstimate {
         for (LastSeenPoint point : lastSeen) {
             point.clear();
         }
+    }
+
+    /**
+     * Forgets what the front left sensor has seen during a spin if it now sees nothing before the wall that the robot
+     * has been aligned with: the spin has carried that wall through the cone.
+     */
+    void forgetWallOfSpin() {
+        if (seesNothingBeforeWall()) {
+            frontLeftMemory.clear();
+        }
+    }
+
+    /** Returns whether the left sensor sees a wall, and the front left one that wall or nothing as near. */
+    private boolean seesNothingBeforeWall() {
+        return left.detects() && frontLeftBehindWall() >= -SAME_WALL_TOLERANCE;
+    }
+
+    /**
+     * Returns by how much a wall beside the robot that gives the front left reading is farther than one that gives the
+     * left reading, metres.
+     */
+    private double frontLeftBehindWall() {
+        return frontLeft.wallDistance(QUARTER_TURN) - left.perpendicularDistance();
     }
 
     /** Returns the odometer of the robot's motion. */
@@ -287,10 +313,8 @@ final class StateEstimate {
      * wall has that wall ahead, too.
      */
     boolean isWallAheadWhileFollowing(boolean atWantedDistance) {
-        boolean seesTheWall = left.detects()
-                && frontLeft.wallDistance(QUARTER_TURN) >= left.perpendicularDistance() - SAME_WALL_TOLERANCE;
         double margin = thresholds.get(Threshold.AHEAD_MARGIN);
-        return new FrontWallEstimator(front, seesTheWall ? SensorView.NONE : frontLeft, frontRight)
+        return new FrontWallEstimator(front, seesNothingBeforeWall() ? SensorView.NONE : frontLeft, frontRight)
                 .isWithin(
                         wantedCentreDistance() + (atWantedDistance ? margin : Math.min(0, margin)),
                         stoppingDistance(),

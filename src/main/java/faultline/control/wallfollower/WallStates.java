@@ -56,6 +56,7 @@ final class WallStates {
     /** Starts along a wall that the robot has been aligned with. */
     void begin() {
         tracker.start(left().detects() ? left().reading() : wantedDistance);
+        estimate.forgetWallOfSpin();
     }
 
     /** Tracks the corner, because the wall bends away. */

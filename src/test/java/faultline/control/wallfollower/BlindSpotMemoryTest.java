@@ -23,7 +23,7 @@ class BlindSpotMemoryTest {
     }
 
     private void detect(double reading, double rolled, double turn) {
-        memory.update(view(reading), SensorView.NONE, SensorView.NONE, rolled, turn);
+        memory.update(view(reading), SensorView.NONE, SensorView.NONE, false, rolled, turn);
     }
 
     private void loseTarget(double rolled, double turn) {
@@ -48,6 +48,13 @@ class BlindSpotMemoryTest {
         detect(0.5, 0, 0.001);
         loseTarget(0.1, 0);
         assertEquals(Math.hypot(0.2, 0.4), memory.distanceAfter(0), 1e-12, "0.3 m ahead when it was lost");
+    }
+
+    @Test
+    void aWallOnTheLeftDoesNotLeaveTheConeToTheFront() {
+        memory.update(view(0.5), SensorView.NONE, SensorView.NONE, true, 0, 0.001);
+        loseTarget(0.1, 0);
+        assertEquals(Reading.NOTHING, memory.distanceAfter(0));
     }
 
     @Test
@@ -96,7 +103,7 @@ class BlindSpotMemoryTest {
     void betweenConesThatNearlyMeetThereIsNoBlindSpot() {
         SensorView next =
                 new SensorView(Vector2.ZERO, QUARTER_TURN - 2 * Math.asin(0.6), Math.asin(0.6), 0.8, 0.7, true);
-        memory.update(view(0.5), SensorView.NONE, next, 0, 0.001);
+        memory.update(view(0.5), SensorView.NONE, next, false, 0, 0.001);
         assertEquals(Reading.NOTHING, memory.distanceAfter(0));
     }
 

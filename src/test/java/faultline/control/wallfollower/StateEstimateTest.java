@@ -107,6 +107,41 @@ class StateEstimateTest {
         assertFalse(turning.isLostWallWithinTurningCircle());
     }
 
+    /** The front left sensor's cone ends at 57.5 degrees, where it sees a wall beside the robot at 0.12 m. */
+    private static final double BESIDE = 0.12 / Math.sin(Math.toRadians(57.5));
+
+    @ParameterizedTest
+    @CsvSource({"0, false", "0.01, false", "-0.03, true"})
+    void aWallBesideTheRobotDoesNotLeaveTheFrontLeftConeTowardsThePath(double farther, boolean isNear) {
+        ControllerSpec.WallFollowing near = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.12);
+        turning.configure(near);
+        turnAndSee(0, Map.of("left", 0.12, "front-left", BESIDE + farther));
+        for (int tick = 1; tick < 40; tick++) {
+            odometer.advance(Observations.LAG_FREE_ROBOT, 6, 6, Observations.DT, 1);
+            turning.update(Observations.observation(tick, Map.of("left", 0.12)));
+            if (turning.isNearSideObjectWithinTurningCircle()) {
+                assertTrue(isNear, "in tick " + tick);
+                return;
+            }
+        }
+        assertFalse(isNear);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, false", "-0.03, true"})
+    void aWallThatASpinHasCarriedThroughTheFrontLeftConeIsForgotten(double farther, boolean isRemembered) {
+        turnAndSee(0, Map.of("front-left", 0.05));
+        turnAndSee(1, Map.of("left", 0.12, "front-left", BESIDE + farther));
+        turning.forgetWallOfSpin();
+        boolean remembered = false;
+        for (int tick = 2; tick < 50; tick++) {
+            odometer.advance(Observations.LAG_FREE_ROBOT, 6, 6, Observations.DT, 1);
+            turning.update(Observations.observation(tick, Map.of("left", 0.12)));
+            remembered |= turning.isNearSideObjectWithinTurningCircle();
+        }
+        assertEquals(isRemembered, remembered);
+    }
+
     @ParameterizedTest
     @CsvSource({"0.05, false", "0.11, false"})
     void whatIsNearerThanTheCornersOrFartherThanTheCircleIsNotInTheWay(double reading, boolean inTheWay) {

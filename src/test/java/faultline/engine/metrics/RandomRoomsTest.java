@@ -138,6 +138,16 @@ class RandomRoomsTest {
                         room::toString));
     }
 
+    /** At these distances the followed wall is not much farther than the circle that the robot's corners describe. */
+    @ParameterizedTest(name = "{0} m")
+    @ValueSource(doubles = {0.12, 0.15})
+    void aRobotNearItsWallGoesAllRound(double distance) {
+        Conditions near = Conditions.DEFAULT.with(WallFollowing.DEFAULT.withDistance(distance));
+        rooms(601, 10, RandomRooms.FEASIBLE::star)
+                .forEach(room -> assertEquals(
+                        List.of(), WallFollowingRun.simulate(room, near).violations(), room::toString));
+    }
+
     private static RobotSpec noisyRobot(double metres) {
         return robotSensing(
                 s -> new SensorSpec(s.id(), s.mountPosition(), s.bearing(), s.range(), s.cone(), s.on(), metres));
