@@ -49,6 +49,12 @@ public final class MapFollower {
      */
     private static final double COARSENESS = 0.04;
 
+    /**
+     * The least margin between the turning circle and the planned distance, metres. The map is no more exact than a few
+     * cells of 2.5 cm.
+     */
+    private static final double TURNING_MARGIN = 0.07;
+
     /** The amount by which the wall may be farther away than wanted, metres; surfaces beyond it are not the wall. */
     private static final double WALL_WITHIN = 0.35;
 
@@ -239,11 +245,11 @@ public final class MapFollower {
     }
 
     /**
-     * Returns the planned distance from the centre to the nearest surface in the map, metres. It is not less than the
-     * robot needs to turn.
+     * Returns the planned distance from the centre to the nearest surface in the map, metres. It leaves a margin about
+     * the circle in which the robot turns, even if a smaller distance is wanted.
      */
     private double plannedDistance() {
-        return Math.max(Steering.turningRadius(robot), wantedCentreDistance - COARSENESS);
+        return Math.max(Steering.turningRadius(robot) + TURNING_MARGIN, wantedCentreDistance - COARSENESS);
     }
 
     /** Returns the wanted distance, and that of the nearest surface in the map, measured in the same way. */

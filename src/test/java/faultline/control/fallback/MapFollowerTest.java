@@ -77,6 +77,27 @@ class MapFollowerTest {
         }
     }
 
+    /** The corners of the default robot are 0.16 m from its centre, which this distance keeps 0.2 m from the wall. */
+    @ParameterizedTest
+    @ValueSource(strings = {"left", "front"})
+    void aRobotNearItsWallKeepsAMarginAfterAFault(String sensor) {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.CircleShape(0.04), new Pose(4, 0.5, 0));
+        SimulationSetup setup = room(List.of(pole), new Pose(6, 4.5, 0))
+                .withController(WallFollowing.DEFAULT.withDistance(0.1))
+                .withTimeline(List.of(new TimedCommand(30, new Command.InjectFault(sensor, new Fault.Dead()))));
+        double nearest = Double.POSITIVE_INFINITY;
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            while (simulation.time() < 120 && simulation.collision().isEmpty()) {
+                simulation.tick();
+                if (simulation.time() > 45) {
+                    nearest = Math.min(nearest, toWall(simulation.pose()));
+                }
+            }
+            assertTrue(simulation.collision().isEmpty(), () -> "at " + simulation.time() + " s");
+        }
+        assertEquals(0.25, nearest, 0.04);
+    }
+
     /** The corners of this robot are 0.47 m from its centre, which the default distance keeps 0.5 m from the wall. */
     @Test
     void aLongRobotKeepsTheRoomThatItNeedsToTurn() {
