@@ -33,14 +33,7 @@ public sealed interface Command {
      * sensors, faults and repairs}
      */
     default boolean changesSetup() {
-        return match(CommandCases.ofSetup(
-                timed -> false,
-                setting -> true,
-                setting -> true,
-                setting -> true,
-                setting -> true,
-                setting -> true,
-                setting -> true));
+        return match(CommandCases.CHANGES_SETUP);
     }
 
     /**
@@ -94,6 +87,16 @@ public sealed interface Command {
             Function<RemoveObstacle, R> removeObstacle,
             Function<SetPlatform, R> setPlatform,
             Function<ConfigureController, R> configureController) {
+
+        /** Made once, because a command is asked often. */
+        private static final CommandCases<Boolean> CHANGES_SETUP = ofSetup(
+                timed -> false,
+                setting -> true,
+                setting -> true,
+                setting -> true,
+                setting -> true,
+                setting -> true,
+                setting -> true);
 
         /**
          * {@return functions for the commands that change the setup, and one for all others, which belong to a time of
