@@ -1,7 +1,9 @@
 package faultline.world;
 
+import faultline.sensor.FaultSequence;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /** The result of a command: executed with its inverse, or refused with the reason. */
 public sealed interface CommandResult {
@@ -26,6 +28,17 @@ public sealed interface CommandResult {
     /** {@return whether the command was executed and has changed nothing, such as a switch to the present state} */
     default boolean isNoOp() {
         return inverse().equals(List.of(command()));
+    }
+
+    /**
+     * {@return the commands that restore faults: one clears all, the others inject the former ones in their order} They
+     * take no memory, because the sequence keeps them.
+     *
+     * @param clearAll the command that clears all
+     * @param injections the commands that inject the former faults, oldest first
+     */
+    static List<Command> restoration(Command clearAll, FaultSequence<Command> injections) {
+        return new CommandHandler.FaultRestoration<>(clearAll, injections, Function.identity());
     }
 
     /**

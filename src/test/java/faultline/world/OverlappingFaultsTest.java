@@ -8,6 +8,7 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultSequence;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -66,5 +67,9 @@ class OverlappingFaultsTest {
         }
         results.get(4).inverse().forEach(world::execute);
         assertEquals(faults.subList(1, 3), world.faults(FRONT));
+        List<Command> restoration = results.get(3).inverse();
+        assertEquals(
+                restoration,
+                CommandResult.restoration(restoration.get(0), FaultSequence.copyOf(restoration.subList(1, 4))));
     }
 }

@@ -1,6 +1,7 @@
 package faultline.gui.change;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.sensor.FaultSequence;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
@@ -8,8 +9,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * What events do to their subject: the switch of a sensor, its faults, or the faults of the motors of a side. The state
@@ -17,18 +18,18 @@ import java.util.function.Function;
  */
 final class EventEffects {
 
-    private static final CommandCases<Consumer<List<Command>>> CHANGES = new CommandCases<>(
-            switchSensor -> state -> {
-                state.clear();
-                state.add(switchSensor);
-            },
+    /** The state after an event; the same object if the event changes nothing. */
+    private static final CommandCases<UnaryOperator<FaultSequence<Command>>> CHANGES = new CommandCases<>(
+            switchSensor -> state -> state.equals(List.of(switchSensor)) ? state : state(switchSensor),
             other(),
-            inject -> state -> state.add(inject),
-            clear -> state -> state.remove(new Command.InjectFault(clear.sensor(), clear.fault())),
-            clearAll -> List::clear,
-            inject -> state -> state.add(inject),
-            clear -> state -> state.remove(new Command.InjectMotorFault(clear.motor(), clear.fault())),
-            clearAll -> List::clear,
+            inject -> state -> state.with(inject),
+            clear -> state -> state.without(new Command.InjectFault(clear.sensor(), clear.fault()))
+                    .orElse(state),
+            clearAll -> EventEffects::cleared,
+            inject -> state -> state.with(inject),
+            clear -> state -> state.without(new Command.InjectMotorFault(clear.motor(), clear.fault()))
+                    .orElse(state),
+            clearAll -> EventEffects::cleared,
             other(),
             other(),
             other(),
@@ -66,6 +67,22 @@ final class EventEffects {
             other(),
             other());
 
+    /** What ends all parts of a state; empty for the switch of a sensor, which another state replaces. */
+    private static final CommandCases<Optional<Command>> RESETS = new CommandCases<>(
+            switchSensor -> Optional.empty(),
+            other(),
+            inject -> Optional.of(new Command.ClearFaults(inject.sensor())),
+            clear -> Optional.of(new Command.ClearFaults(clear.sensor())),
+            Optional::of,
+            inject -> Optional.of(new Command.ClearMotorFaults(inject.motor())),
+            clear -> Optional.of(new Command.ClearMotorFaults(clear.motor())),
+            Optional::of,
+            other(),
+            other(),
+            other(),
+            other(),
+            other());
+
     private static final int NO_PLACE = -1;
 
     private EventEffects() {}
@@ -84,18 +101,23 @@ final class EventEffects {
         return event.match(SUBJECTS);
     }
 
-    /** Returns successive events of one subject without those that lead back to a state that it had before them. */
+    /**
+     * Returns successive events of one subject, the first of which changes something, without those that lead back to a
+     * state that it had before them.
+     */
     static List<CommandResult> withoutDetours(List<CommandResult> events) {
+        if (events.size() == 1) {
+            return events;
+        }
         List<CommandResult> kept = new ArrayList<>();
         List<List<Command>> states = new ArrayList<>();
-        List<Command> state = new ArrayList<>();
-        events.get(0).inverse().forEach(command -> change(state, command));
-        states.add(List.copyOf(state));
+        FaultSequence<Command> state = stateBefore(events.get(0));
+        states.add(state);
         for (CommandResult event : events) {
-            change(state, event.command());
+            state = after(state, event.command());
             int before = states.indexOf(state);
             if (before < 0) {
-                states.add(List.copyOf(state));
+                states.add(state);
                 kept.add(event);
             } else {
                 states.subList(before + 1, states.size()).clear();
@@ -105,8 +127,33 @@ final class EventEffects {
         return kept;
     }
 
-    private static void change(List<Command> state, Command event) {
-        event.match(CHANGES).accept(state);
+    /** Returns the state that an event brings about alone. */
+    static FaultSequence<Command> state(Command event) {
+        return FaultSequence.copyOf(List.of(event));
+    }
+
+    private static FaultSequence<Command> cleared(FaultSequence<Command> state) {
+        return state.isEmpty() ? state : FaultSequence.empty();
+    }
+
+    /** Returns the state after an event; the same object if the event changes nothing. */
+    static FaultSequence<Command> after(FaultSequence<Command> state, Command event) {
+        return event.match(CHANGES).apply(state);
+    }
+
+    private static FaultSequence<Command> stateBefore(CommandResult event) {
+        FaultSequence<Command> state = FaultSequence.empty();
+        for (Command command : event.inverse()) {
+            state = after(state, command);
+        }
+        return state;
+    }
+
+    /** Returns what restores a state after an event. The commands are made when they are read. */
+    static List<Command> restoration(Command event, FaultSequence<Command> before) {
+        return event.match(RESETS)
+                .map(clearAll -> CommandResult.restoration(clearAll, before))
+                .orElse(before);
     }
 
     /**
@@ -114,19 +161,19 @@ final class EventEffects {
      * would have led to without it; after others, faults may be in another order.
      */
     static List<Command> undo(CommandResult event, List<Command> others) {
-        List<Command> without = new ArrayList<>();
-        event.inverse().forEach(command -> change(without, command));
-        List<Command> with = new ArrayList<>(without);
-        change(with, event.command());
+        FaultSequence<Command> without = stateBefore(event);
+        FaultSequence<Command> with = after(without, event.command());
         for (Command other : others) {
-            change(without, other);
-            change(with, other);
+            without = after(without, other);
+            with = after(with, other);
         }
         List<Command> steps = new ArrayList<>();
         TimelineEvents.difference(with, without)
                 .forEach(ended -> ended.match(ENDS).ifPresent(steps::add));
         steps.addAll(TimelineEvents.difference(without, with));
-        steps.forEach(step -> change(with, step));
+        for (Command step : steps) {
+            with = after(with, step);
+        }
         return others.isEmpty() && !with.equals(without) ? event.inverse() : steps;
     }
 
@@ -136,14 +183,14 @@ final class EventEffects {
      */
     static List<Double> ends(List<Command> faults, List<TimedCommand> events) {
         List<Double> ends = new ArrayList<>(Collections.nCopies(faults.size(), Double.POSITIVE_INFINITY));
-        List<Command> active = new ArrayList<>(faults);
+        FaultSequence<Command> active = FaultSequence.copyOf(faults);
         // The places of the active faults in the list of ends; faults that begin later have none.
         List<Integer> places = new ArrayList<>();
         faults.forEach(fault -> places.add(places.size()));
         for (TimedCommand event : events) {
             int before = active.size();
             int oldest = indexOfEnded(active, event.command());
-            change(active, event.command());
+            active = after(active, event.command());
             if (active.size() > before) {
                 places.add(NO_PLACE);
             } else if (active.size() < before) {

@@ -8,7 +8,8 @@ import java.util.stream.Stream;
 
 /**
  * A change of the setup at a tick, and what the run executed for it, null for nothing. Both are the same unless the
- * timeline had changed the same thing; the change then has the tick of an earlier edit that is undone or redone.
+ * timeline had changed the same thing; the change then has the tick of an earlier edit that is undone or redone. The
+ * change of an event has what undoes it in the present run, which may have another timeline.
  */
 record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
     /** Returns whether this undoes or redoes a change, and the run has executed nothing for it. */
@@ -19,6 +20,14 @@ record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
     private static Set<Command> commands(CommandResult change) {
         return Stream.concat(Stream.of(change.command()), change.inverse().stream())
                 .collect(Collectors.toSet());
+    }
+
+    boolean isEvent() {
+        return TimelineEvents.isEvent(change.command());
+    }
+
+    ExecutedChange withChange(CommandResult newChange) {
+        return new ExecutedChange(tick, newChange, executed);
     }
 
     ExecutedChange renamed(Rename rename) {

@@ -47,6 +47,9 @@ public final class SetupEditor {
      */
     private long lastRemovedEvent = Long.MIN_VALUE;
 
+    /** Null if the entries have changed since it was made. */
+    private EventIndex eventIndex;
+
     private EditedSetup edited;
 
     /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
@@ -152,6 +155,7 @@ public final class SetupEditor {
         if (!SensorReference.isOn(edited.robot(), change.command())) {
             return;
         }
+        eventIndex = null;
         moveTo(tick - 1, position);
         boolean last = position == entries.size();
         entries.subList(position, entries.size()).removeIf(later -> executed != null || later.isWithoutRun(change));
@@ -180,9 +184,7 @@ public final class SetupEditor {
     /** Returns whether the setup has been changed before the first tick, and no command is later. */
     public boolean changesSetupAtStart() {
         return entries.stream().allMatch(entry -> entry.tick() <= 1)
-                && entries.stream()
-                        .anyMatch(
-                                entry -> !TimelineEvents.isEvent(entry.change().command()));
+                && entries.stream().anyMatch(entry -> !entry.isEvent());
     }
 
     /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
@@ -247,7 +249,7 @@ public final class SetupEditor {
         SetupEditor result = redone ? earlier.restarted(earlier.setup()) : earlier.restarted(earlier.setup(), undone);
         result.lastRemovedEvent = lastRemovedEvent;
         for (int i = 0; i < entries.size(); i++) {
-            if (TimelineEvents.isEvent(entries.get(i).change().command())) {
+            if (entries.get(i).isEvent()) {
                 result.entries.add(entries.get(i));
                 result.position += i < position ? 1 : 0;
             }
@@ -294,13 +296,36 @@ public final class SetupEditor {
                 result.position += i < position ? 1 : 0;
             }
         }
+        result.updateEvents();
         return result;
     }
 
-    /** Removes the events of the run from a timeline, and returns those that it contained. */
+    /** Determines what undoes the events in a run with the present timeline. */
+    private void updateEvents() {
+        EventStates states = new EventStates(base);
+        entries.replaceAll(entry -> entry.isEvent() ? entry.withChange(states.execute(entry.change())) : entry);
+    }
+
+    /** Returns the result of an event that the run has executed, with what undoes it in the present run. */
+    public CommandResult presentResult(CommandResult event) {
+        if (eventIndex == null) {
+            eventIndex = new EventIndex(entries);
+        }
+        return eventIndex.present(event);
+    }
+
+    /**
+     * Removes the events of the run from a timeline, and returns those that it contained, and those that change nothing
+     * and are on no timeline: another change may give them an effect.
+     */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (CommandResult event : events()) {
+        List<CommandResult> all = entries.stream()
+                .filter(ExecutedChange::isEvent)
+                .map(ExecutedChange::change)
+                .toList();
+        all.stream().filter(CommandResult::isNoOp).forEach(taken::add);
+        for (CommandResult event : TimelineEvents.in(all)) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {
                 timeline.remove(index);

@@ -299,6 +299,17 @@ public final class RunController implements WorkspaceListener {
                 .orElse(List.of());
     }
 
+    /**
+     * Returns the result of an event that the run has executed, with what undoes it after the timeline has been
+     * changed; the result of another command itself.
+     */
+    public CommandResult presentResult(CommandResult event) {
+        return workspace
+                .openDocument()
+                .map(open -> open.document().presentResult(event))
+                .orElse(event);
+    }
+
     /** Returns the time of a tick of the run, seconds; 0 without a run. */
     public double timeOf(long tick) {
         return workspace

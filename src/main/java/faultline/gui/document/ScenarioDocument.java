@@ -142,6 +142,11 @@ final class ScenarioDocument {
         return renames.presentCommand(command, edited().setup());
     }
 
+    /** Returns the result of an event that the run has executed, with what undoes it in the present run. */
+    CommandResult presentResult(CommandResult event) {
+        return editor.presentResult(event);
+    }
+
     /** Returns commands of the run with the ids that their sensors and obstacles have in the edited scenario. */
     List<Command> named(List<Command> commands) {
         List<String> ids = edited().setup().robot().sensorIds();

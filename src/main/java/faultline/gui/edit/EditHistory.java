@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -35,10 +36,15 @@ final class EditHistory {
     private final EditLog log = new EditLog();
     private final RefusedUndos refusedUndos = new RefusedUndos();
     private LongFunction<List<Command>> plannedSince = tick -> List.of();
+    private UnaryOperator<CommandResult> presentResult = UnaryOperator.identity();
 
-    /** Sets what returns the commands of the timeline that were executed after a tick. */
-    void setPlan(LongFunction<List<Command>> newPlannedSince) {
+    /**
+     * Sets what returns the commands of the timeline that were executed after a tick, and what gives the result of an
+     * event what undoes it with the present timeline.
+     */
+    void setPlan(LongFunction<List<Command>> newPlannedSince, UnaryOperator<CommandResult> newPresentResult) {
         plannedSince = newPlannedSince;
+        presentResult = newPresentResult;
     }
 
     /**
@@ -183,7 +189,8 @@ final class EditHistory {
                 .reduce((earlier, later) -> later)
                 .map(EditChange::executed)
                 .orElseGet(edit::results);
-        return edit.undoChanges(executed, firstResults(edit), plannedSince);
+        List<CommandResult> present = executed.stream().map(presentResult).toList();
+        return edit.undoChanges(present, firstResults(edit), plannedSince);
     }
 
     /** Returns the results of an edit when it was first executed before the present tick; it may be redone earlier. */

@@ -83,7 +83,7 @@ public final class UndoController {
 
     /** Follows the run of a workspace, however it is moved and restarted. */
     public void follow(Workspace workspace, RunController run) {
-        history.setPlan(run::plannedSince);
+        history.setPlan(run::plannedSince, run::presentResult);
         laterChanges = run::changeLater;
         startChange = run::changeStart;
         requests.setRun(run);

@@ -1,10 +1,22 @@
 package faultline.gui.change;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
+import faultline.world.WorldSpec;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -17,6 +29,8 @@ import org.junit.jupiter.api.Test;
 class EventEffectsTest {
 
     private static final String SENSOR = "front";
+    private static final SimulationSetup SETUP =
+            SimulationSetup.of(new WorldSpec(6, 4, true, 0, List.of()), new Pose(3, 2, 0));
 
     private final Random random = new Random(7);
 
@@ -76,5 +90,79 @@ class EventEffectsTest {
                 assertEquals(without, with, message);
             }
         }
+    }
+
+    /** The results come from another run, so what undoes the events there is of no use. */
+    @Test
+    void whatUndoesTheEventsOfARunIsWhatTheRunItselfReturns() {
+        for (int trial = 0; trial < 100; trial++) {
+            List<TimedCommand> timeline = IntStream.range(0, 20)
+                    .mapToObj(
+                            i -> new TimedCommand(random.nextInt(10) / 100.0, i < 2 ? settings() : randomEventOfAny()))
+                    .toList();
+            SimulationSetup setup = SETUP.withTimeline(timeline);
+            List<CommandResult> executed = execute(setup);
+            List<CommandResult> ofOtherRun = executed.stream()
+                    .<CommandResult>map(result ->
+                            new CommandResult.Executed(result.tick(), result.command(), List.of(randomEvent())))
+                    .toList();
+            EventStates states = new EventStates(setup);
+            assertEquals(executed, ofOtherRun.stream().map(states::execute).toList(), timeline.toString());
+        }
+    }
+
+    /** A copy of the faults for each of them would take more than 1 GB. */
+    @Test
+    void manyFaultsOfASensorTakeMemoryInProportionToTheirNumber() {
+        int faults = 20_000;
+        List<TimedCommand> timeline = IntStream.range(0, faults)
+                .mapToObj(i -> new TimedCommand(i / 100.0, new Command.InjectFault(SENSOR, randomFault())))
+                .toList();
+        SimulationSetup setup = SETUP.withTimeline(timeline);
+        List<CommandResult> executed = IntStream.range(0, faults)
+                .<CommandResult>mapToObj(
+                        i -> new CommandResult.Executed(i, timeline.get(i).command(), List.of()))
+                .toList();
+        ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = thread.getCurrentThreadAllocatedBytes();
+        EventStates states = new EventStates(setup);
+        List<CommandResult> present = executed.stream().map(states::execute).toList();
+        assertEquals(faults, TimelineEvents.in(present).size());
+        long bytes = thread.getCurrentThreadAllocatedBytes() - before;
+        assertTrue(bytes < 3000L * faults, bytes + " bytes");
+        assertEquals(2 * faults, present.get(faults - 1).inverse().size());
+    }
+
+    private List<CommandResult> execute(SimulationSetup setup) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            List<CommandResult> executed = new ArrayList<>();
+            for (int i = 0; i < 40; i++) {
+                CommandResult result = simulation.execute(randomEventOfAny());
+                if (result.refusal().isEmpty() && TimelineEvents.isEvent(result.command())) {
+                    executed.add(result);
+                }
+                if (i % 3 == 0) {
+                    simulation.tick();
+                }
+            }
+            return executed;
+        }
+    }
+
+    /** Returns settings of the sensor, which contain its switch. */
+    private Command settings() {
+        SensorSpec sensor = SETUP.robot().sensor(SENSOR).orElseThrow();
+        return new Command.ConfigureSensor(sensor.withOn(random.nextBoolean()));
+    }
+
+    private Command randomEventOfAny() {
+        MotorFault weak = new MotorFault.Weak(0.5 + random.nextInt(2) / 10.0);
+        return switch (random.nextInt(8)) {
+            case 0 -> new Command.SwitchSensor(SENSOR, random.nextBoolean());
+            case 1 -> new Command.InjectMotorFault(MotorSide.LEFT, weak);
+            case 2 -> new Command.ClearMotorFault(MotorSide.LEFT, weak);
+            case 3 -> new Command.ClearMotorFaults(MotorSide.LEFT);
+            default -> randomEvent();
+        };
     }
 }

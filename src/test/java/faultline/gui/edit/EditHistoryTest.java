@@ -16,6 +16,7 @@ import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -130,7 +131,7 @@ class EditHistoryTest {
 
     @Test
     void aDragDoesNotReadTheTimeline() {
-        history.setPlan(tick -> fail());
+        history.setPlan(tick -> fail(), UnaryOperator.identity());
         Command first = new Command.MoveObstacle("box", new Pose(1, 1, 0));
         Command second = new Command.MoveObstacle("box", new Pose(2, 2, 0));
         CommandEdit drag = execute(1, first, new Command.MoveObstacle("box", new Pose(3, 3, 0)));

@@ -8,6 +8,7 @@ import faultline.engine.Journal;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.session.Session;
 import faultline.gui.Await;
+import faultline.gui.change.TimelineEvents;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
@@ -28,6 +29,7 @@ final class EditedRun {
     private RunController controller;
     private CommandSender sender;
     private UndoController edits;
+    private ScenarioEditor editor;
     private ObstacleEditor obstacles;
     private SensorEditor sensors;
     private Optional<String> shownUndo = Optional.empty();
@@ -39,7 +41,7 @@ final class EditedRun {
             sender = StoppedClock.sender(controller::send);
             edits = new UndoController(sender, () -> shownUndo = edits.undoName());
             edits.follow(workspace, controller);
-            ScenarioEditor editor = new ScenarioEditor(controller, edits);
+            editor = new ScenarioEditor(controller, edits);
             obstacles = new ObstacleEditor(workspace, editor);
             sensors = new SensorEditor(workspace, editor, note -> {});
             sender.setNaming(workspace::ofViews);
@@ -89,6 +91,16 @@ final class EditedRun {
     /** Replaces the timeline of the scenario. */
     void plan(List<TimedCommand> timeline) {
         runOnEdt(() -> controller.change(now -> now.withSetup(now.setup().withTimeline(timeline))));
+        rest();
+    }
+
+    /** Adds commands to the timeline of the scenario, with undo. */
+    void planWithUndo(TimedCommand... commands) {
+        List<TimedCommand> planned = List.of(commands);
+        runOnEdt(() -> editor.edit(
+                "edit.properties",
+                now -> TimelineEvents.with(now, planned),
+                now -> TimelineEvents.without(now, planned)));
         rest();
     }
 

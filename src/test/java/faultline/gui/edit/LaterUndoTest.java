@@ -266,4 +266,48 @@ class LaterUndoTest {
         run.advanceTo(60);
         assertFaults();
     }
+
+    /** Without the plan, the sensor is on all the time, and the fault has never been there. */
+    @Test
+    void eventsThatChangeNothingWithoutThePlanAreNotUndoneAfterIt() {
+        Scenario first = run.scenario();
+        run.planWithUndo(
+                at(0.05, new Command.SwitchSensor("front", false)),
+                at(0.05, new Command.InjectFault("front", BIAS)),
+                at(0.15, new Command.SwitchSensor("front", true)),
+                at(0.15, new Command.ClearFaults("front")));
+        run.advanceTo(10);
+        run.send(new Command.SwitchSensor("front", true));
+        run.send(new Command.ClearFault("front", BIAS));
+        run.advanceTo(21);
+        Scenario edited = run.scenario();
+        run.undo();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        assertEquals(first, run.scenario());
+        assertFaults();
+        run.redo();
+        assertEquals(edited, run.scenario());
+        assertFaults();
+        run.undo();
+        assertEquals(first, run.scenario());
+    }
+
+    /** The plan is what has ended the fault. */
+    @Test
+    void aFaultThatThePlanHasEndedIsUndoneAfterThePlan() {
+        Scenario first = run.scenario();
+        run.planWithUndo(at(0.05, new Command.InjectFault("front", STUCK)), at(0.15, new Command.ClearFaults("front")));
+        run.advanceTo(10);
+        run.send(new Command.ClearFaults("front"));
+        run.send(new Command.InjectFault("front", BIAS));
+        run.advanceTo(21);
+        run.undo();
+        assertFaults(BIAS);
+        run.undo();
+        assertFaults();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        run.restart();
+        run.advanceTo(30);
+        assertFaults();
+    }
 }
