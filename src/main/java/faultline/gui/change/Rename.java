@@ -104,8 +104,9 @@ public record Rename(Renamed kind, String before, String after) {
                 : robot;
     }
 
-    private SensorSpec rename(SensorSpec sensor) {
-        return sensor.withId(rename(sensor.id()));
+    /** Returns a sensor with the id that it has after this change. */
+    SensorSpec rename(SensorSpec sensor) {
+        return isOfSensor() ? sensor.withId(rename(sensor.id())) : sensor;
     }
 
     /** Returns an obstacle with the id that it has after this change. */

@@ -3,6 +3,8 @@ package faultline.gui.change;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.change.Reversal.UndoCommand;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
@@ -47,29 +49,13 @@ public final class SetupEditor {
      */
     private long lastRemovedEvent = Long.MIN_VALUE;
 
+    /** The sensors that changes of the setup have removed in this run. */
+    private RemovedSensors removedSensors = new RemovedSensors();
+
     /** Null if the entries have changed since it was made. */
     private EventIndex eventIndex;
 
     private EditedSetup edited;
-
-    /** A command that undoes another one; the origin of its obstacle, null if it is about something else. */
-    private record UndoCommand(Command command, ObstacleOrigins.Origin origin) {
-        UndoCommand renamed(Rename rename) {
-            return new UndoCommand(rename.rename(command), origin == null ? null : origin.renamed(rename));
-        }
-    }
-
-    /** What the undo of a command restores; what that of an earlier one with the same inverse does, null for none. */
-    private record Reversal(Consumer<EditedSetup> restored, Reversal earlier) {
-        Reversal after(Reversal others) {
-            return new Reversal(restored, earlier == null ? others : earlier.after(others));
-        }
-
-        Reversal renamed(Rename rename) {
-            return new Reversal(
-                    setup -> setup.changeBefore(rename, restored), earlier == null ? null : earlier.renamed(rename));
-        }
-    }
 
     public SetupEditor(SimulationSetup setup) {
         this.base = setup;
@@ -116,6 +102,7 @@ public final class SetupEditor {
         this.baseObstacles = other.baseObstacles;
         this.baseReversals = other.baseReversals;
         this.edited = other.edited.copy();
+        this.removedSensors = other.removedSensors;
         this.lastRemovedEvent = other.lastRemovedEvent;
     }
 
@@ -127,6 +114,7 @@ public final class SetupEditor {
         other.baseReversals.forEach(
                 (undo, reversal) -> baseReversals.put(undo.renamed(rename), reversal.renamed(rename)));
         this.position = other.position;
+        this.removedSensors = other.removedSensors.renamed(rename);
         this.lastRemovedEvent = other.lastRemovedEvent;
         other.entries.stream().map(entry -> entry.renamed(rename)).forEach(entries::add);
         reset();
@@ -184,7 +172,12 @@ public final class SetupEditor {
     /** Returns whether the setup has been changed before the first tick, and no command is later. */
     public boolean changesSetupAtStart() {
         return entries.stream().allMatch(entry -> entry.tick() <= 1)
-                && entries.stream().anyMatch(entry -> !entry.isEvent());
+                && entries.stream().anyMatch(entry -> !entry.isEvent() && !isHidden(entry));
+    }
+
+    /** Returns whether the sensor of a change has been removed, so that the run does not execute the change. */
+    private boolean isHidden(ExecutedChange entry) {
+        return removedSensors.isAbout(entry.change().command());
     }
 
     /** Returns the edited setup. Changes that leave no room for the robot at its start pose are omitted. */
@@ -250,8 +243,7 @@ public final class SetupEditor {
         result.lastRemovedEvent = lastRemovedEvent;
         for (int i = 0; i < entries.size(); i++) {
             if (entries.get(i).isEvent()) {
-                result.entries.add(entries.get(i));
-                result.position += i < position ? 1 : 0;
+                result.add(entries.get(i), i < position);
             }
         }
         return result;
@@ -259,7 +251,9 @@ public final class SetupEditor {
 
     /**
      * Returns an editor of another setup with the executed commands, except for those about sensors and obstacles that
-     * the other setup lacks, what undoes or redoes these, and events that are not on its timeline.
+     * the other setup lacks, what undoes or redoes these, and events that are not on its timeline. Settings of a
+     * removed sensor are hidden instead; if it has returned as edited, the start has the sensor from before the
+     * settings.
      */
     public SetupEditor rebased(SimulationSetup newSetup) {
         List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().withoutEdits(newSetup.timeline()));
@@ -284,20 +278,34 @@ public final class SetupEditor {
 
     /** Returns an editor of another setup and timeline, with the executed commands and some of the events. */
     private SetupEditor rebased(SimulationSetup newSetup, List<TimedCommand> timeline, Set<CommandResult> events) {
+        RobotSpec robot = newSetup.robot();
         SetupEditor result = new SetupEditor(
-                newSetup.withTimeline(timeline), edited.obstacles().hidden(), baseObstacles, baseReversals);
+                newSetup.withRobot(removedSensors.returnedTo(robot)).withTimeline(timeline),
+                edited.obstacles().hidden(),
+                baseObstacles,
+                baseReversals);
+        result.removedSensors = removedSensors.after(base.robot(), edited.robot(), robot);
         Set<Command> reversalsOfOmitted = new HashSet<>();
         for (int i = 0; i < entries.size(); i++) {
             CommandResult change = entries.get(i).change();
-            if (!result.edited.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
+            if (removedSensors.isReplaced(change.command(), robot)) {
+                continue;
+            }
+            if (result.isHidden(entries.get(i)) && !entries.get(i).isEvent()) {
+                result.add(entries.get(i), i < position);
+            } else if (!result.edited.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
                 reversalsOfOmitted.addAll(change.inverse());
             } else if (events.contains(change) || result.apply(change)) {
-                result.entries.add(entries.get(i));
-                result.position += i < position ? 1 : 0;
+                result.add(entries.get(i), i < position);
             }
         }
         result.updateEvents();
         return result;
+    }
+
+    private void add(ExecutedChange entry, boolean passed) {
+        entries.add(entry);
+        position += passed ? 1 : 0;
     }
 
     /** Determines what undoes the events in a run with the present timeline. */
@@ -320,12 +328,12 @@ public final class SetupEditor {
      */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        List<CommandResult> all = entries.stream()
+        entries.stream()
                 .filter(ExecutedChange::isEvent)
                 .map(ExecutedChange::change)
-                .toList();
-        all.stream().filter(CommandResult::isNoOp).forEach(taken::add);
-        for (CommandResult event : TimelineEvents.in(all)) {
+                .filter(CommandResult::isNoOp)
+                .forEach(taken::add);
+        for (CommandResult event : events()) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {
                 timeline.remove(index);
@@ -340,9 +348,13 @@ public final class SetupEditor {
         return new SetupEditor(this, rename);
     }
 
-    /** Returns the executed commands, including those that are later than the tick of a moved run. */
+    /**
+     * Returns the executed commands, including those that are later than the tick of a moved run, without the hidden
+     * ones.
+     */
     public List<Journal.Entry> entries() {
         return entries.stream()
+                .filter(entry -> !isHidden(entry))
                 .flatMap(entry -> Stream.ofNullable(entry.executed()))
                 .map(result -> new Journal.Entry(result.tick(), result.command()))
                 .toList();
@@ -359,7 +371,7 @@ public final class SetupEditor {
 
     /** Applies a command, and removes from the reversals the one that it uses. */
     private boolean apply(CommandResult result, Map<UndoCommand, Reversal> undoable) {
-        if (TimelineEvents.isEvent(result.command())) {
+        if (TimelineEvents.isEvent(result.command()) || removedSensors.isAbout(result.command())) {
             return false;
         }
         Consumer<EditedSetup> restored = edited.reversal(result);

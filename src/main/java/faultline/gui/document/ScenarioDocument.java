@@ -89,7 +89,7 @@ final class ScenarioDocument {
         Scenario base = initial.withSetup(initial.setup().withTimeline(editor.timeline()));
         Scenario changed = change.apply(base);
         editor = editor.rebased(changed.setup());
-        initial = withRecord(changed.withSetup(changed.setup().withTimeline(editor.initialTimeline())));
+        initial = withRecord(changed.withSetup(editor.initialSetup()));
         edited = null;
     }
 

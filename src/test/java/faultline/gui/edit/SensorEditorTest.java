@@ -251,6 +251,110 @@ class SensorEditorTest {
         assertEquals(before, setup());
     }
 
+    /** What was done during the run acts there again, and can be undone. */
+    @Test
+    void settingsKeepTheirTicksWhenTheDeletionOfTheirSensorIsUndone() {
+        send(new Command.ConfigureSensor(left().withRange(1.5)));
+        step(20);
+        send(new Command.ConfigureSensor(left().withRange(1.2)));
+        step(20);
+        SimulationSetup before = setup();
+        long hash = SessionFrames.trajectoryHash(workspace);
+        remove("left");
+        step(5);
+        undo();
+        assertEquals(before, setup());
+        seek(TICKS + 40);
+        assertEquals(hash, SessionFrames.trajectoryHash(workspace));
+        seek(10);
+        assertEquals(0.8, sensorInTheRun("left").range(), "not yet changed");
+        step(40);
+        assertEquals(1.5, sensorInTheRun("left").range());
+        runOnEdt(edits::redo);
+        waitForRun();
+        undo();
+        step(20);
+        assertEquals(1.2, sensorInTheRun("left").range(), "also when the deletion was redone and undone");
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
+    private SensorSpec left() {
+        return original.robot().sensor("left").orElseThrow();
+    }
+
+    /** Nothing of the run before the restart is left but the scenario. */
+    @Test
+    void settingsHoldFromTheStartAfterARestartWithoutTheirSensor() {
+        send(new Command.ConfigureSensor(left().withRange(1.5)));
+        SimulationSetup before = setup();
+        remove("left");
+        runOnEdt(run::restart);
+        waitForRun();
+        undo();
+        assertEquals(before, setup());
+        assertEquals(1.5, sensorInTheRun("left").range());
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
+    @Test
+    void anotherSensorOfTheIdOfADeletedOneHasNoneOfItsSettings() {
+        add();
+        SensorSpec added = setup().robot().sensor("sensor-9").orElseThrow();
+        send(new Command.ConfigureSensor(added.withRange(1.5)));
+        remove("sensor-9");
+        SensorSpec other = callOnEdt(() -> sensors.add(1.0))
+                .flatMap(id -> setup().robot().sensor(id))
+                .orElseThrow();
+        waitForRun();
+        step(20);
+        assertEquals("sensor-9", other.id());
+        assertEquals(other, setup().robot().sensor("sensor-9").orElseThrow());
+        assertEquals(other, sensorInTheRun("sensor-9"));
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
+    /** The run has not reached the settings when it is continued in another way. */
+    @Test
+    void settingsThatAnEarlierEditHasDroppedDoNotReturnWithTheirSensor() {
+        send(new Command.ConfigureSensor(left().withRange(1.5)));
+        seek(10);
+        remove("left");
+        send(new Command.SetPlatform(0.2, 0.15, 0.3));
+        undo();
+        undo();
+        assertEquals(original.robot().sensors(), setup().robot().sensors());
+        step(60);
+        assertEquals(0.8, sensorInTheRun("left").range());
+        assertRunIsAsPlanned();
+    }
+
+    private void assertRunIsAsPlanned() {
+        assertEquals(
+                setup().robot().sensors(),
+                SessionFrames.frame(workspace).snapshot().robot().sensors());
+    }
+
+    @Test
+    void settingsFollowAnotherNameOfTheirSensorThroughItsDeletion() {
+        send(new Command.ConfigureSensor(left().withRange(1.5)));
+        step(10);
+        rename("left", "port");
+        remove("port");
+        rename("right", "port");
+        undo();
+        undo();
+        undo();
+        seek(10);
+        assertEquals(0.8, sensorInTheRun("left").range());
+        step(60);
+        assertEquals(1.5, sensorInTheRun("left").range());
+        undoAllEdits();
+        assertEquals(original, setup());
+    }
+
     private Optional<String> rename(String id, String newId) {
         Optional<String> refusal = callOnEdt(() -> sensors.rename(id, newId));
         waitForRun();
