@@ -26,6 +26,14 @@ record ExecutedChange(long tick, CommandResult change, CommandResult executed) {
         return TimelineEvents.isEvent(change.command());
     }
 
+    /**
+     * Returns whether this is an event that changes nothing in the present run, but did when it was executed. One that
+     * did not is no edit, so nobody could undo what it would change in another run.
+     */
+    boolean isEventWithoutEffectNow() {
+        return isEvent() && change.isNoOp() && !executed.isNoOp();
+    }
+
     ExecutedChange withChange(CommandResult newChange) {
         return new ExecutedChange(tick, newChange, executed);
     }

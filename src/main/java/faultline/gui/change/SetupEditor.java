@@ -324,14 +324,13 @@ public final class SetupEditor {
 
     /**
      * Removes the events of the run from a timeline, and returns those that it contained, and those that change nothing
-     * and are on no timeline: another change may give them an effect.
+     * any more and are on no timeline: another change may give them an effect again.
      */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
         entries.stream()
-                .filter(ExecutedChange::isEvent)
+                .filter(ExecutedChange::isEventWithoutEffectNow)
                 .map(ExecutedChange::change)
-                .filter(CommandResult::isNoOp)
                 .forEach(taken::add);
         for (CommandResult event : events()) {
             int index = timeline.lastIndexOf(timedCommand(event));

@@ -292,6 +292,17 @@ class LaterUndoTest {
         assertEquals(first, run.scenario());
     }
 
+    /** Nothing could undo it. */
+    @Test
+    void aRepairThatChangedNothingChangesNothingWithoutThePlanEither() {
+        run.planWithUndo(at(0.05, new Command.ClearFaults("front")));
+        run.send(new Command.InjectFault("front", BIAS));
+        run.advanceTo(10);
+        run.send(new Command.ClearFaults("front"));
+        run.undo();
+        assertFaults(BIAS);
+    }
+
     /** The plan is what has ended the fault. */
     @Test
     void aFaultThatThePlanHasEndedIsUndoneAfterThePlan() {
