@@ -249,20 +249,20 @@ public final class FileController {
     }
 
     private void save(Runnable then) {
-        workspace
-                .file()
-                .ifPresentOrElse(
-                        file -> documentStore.saveUnlessReplaced(file, then, change -> askBeforeSaving(file, change)),
-                        () -> saveAs(then));
+        if (workspace.file().isPresent()) {
+            documentStore.saveUnlessReplaced(then, this::askBeforeSaving);
+        } else {
+            saveAs(then);
+        }
     }
 
     /** Asks whether to save over the change of another program; nothing happens if the question is closed. */
-    private void askBeforeSaving(Path file, DocumentStore.ForeignChange change) {
+    private void askBeforeSaving(DocumentStore.ForeignChange change) {
         boolean readable = change.problem() == null;
         int answer = readable
                 ? fileDialogs.showOptions(
                         "changed",
-                        Messages.get("changed.questionUnsaved", FileNames.lastOf(file)),
+                        Messages.get("changed.questionUnsaved", FileNames.lastOf(change.file())),
                         "changed.keep",
                         "changed.reload")
                 : fileDialogs.showOptions(
@@ -273,7 +273,7 @@ public final class FileController {
         if (answer == 0) {
             change.save().run();
         } else if (answer == 1 && readable) {
-            reload(file);
+            reload(change.file());
         }
     }
 

@@ -3,6 +3,8 @@ package faultline.gui.document;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
+import java.awt.EventQueue;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -158,16 +160,20 @@ public final class DocumentStore {
      * written. Edits that wait until the run has been restarted or moved are waited for.
      */
     public void save(Path file, Runnable then) {
-        workspace.openDocument().ifPresent(now -> write(now.document(), editedNow(), file, then));
+        workspace.openDocument().ifPresent(now -> {
+            ScenarioDocument document = now.document();
+            write(document, editedNow(), file, scenario -> saved(document, file, scenario, then));
+        });
     }
 
     /**
-     * What another program has written to a file.
+     * What another program has written to the file of the scenario.
      *
-     * @param problem why it is not a scenario, null if it is one
+     * @param file the file
+     * @param problem why it does not hold a scenario, null if it does
      * @param save saves the edited scenario nevertheless, even if another one is open by then
      */
-    public record ForeignChange(ScenarioException problem, Runnable save) {}
+    public record ForeignChange(Path file, ScenarioException problem, Runnable save) {}
 
     /** What a file holds: a scenario, or a problem if it is not one, or neither if there is no such file. */
     private record FileContent(Scenario scenario, ScenarioException problem) {
@@ -186,33 +192,55 @@ public final class DocumentStore {
         }
     }
 
+    /** The file of a document, and what a save may replace in it without a question, null for nothing. */
+    private record SaveTarget(Path file, Scenario replaceable) {
+
+        static SaveTarget of(ScenarioDocument document) {
+            return new SaveTarget(
+                    document.file().orElseThrow(), document.replaceable().orElse(null));
+        }
+
+        /** Writes a scenario; does nothing but return what another program has written, if it has. */
+        Optional<FileContent> replace(Scenario edited) throws IOException {
+            FileContent found = FileContent.of(file);
+            if (!found.mayBeReplaced(edited, replaceable)) {
+                return Optional.of(found);
+            }
+            edited.save(file, XmlComments.read(file));
+            return Optional.empty();
+        }
+    }
+
     /**
-     * Saves the edited scenario to the file that it came from, unless another program has changed that file:
-     * {@code onForeignChange} is called instead, each time until the edited scenario is saved nevertheless. The watch
-     * of the file notices a change only after some seconds.
+     * Saves the edited scenario to its file, or to the one to which an earlier request saves it. If another program has
+     * changed that file, {@code onForeignChange} is called instead, each time until the edited scenario is saved
+     * nevertheless. The watch of the file notices a change only after some seconds.
      */
-    public void saveUnlessReplaced(Path file, Runnable then, Consumer<ForeignChange> onForeignChange) {
+    public void saveUnlessReplaced(Runnable then, Consumer<ForeignChange> onForeignChange) {
         workspace.openDocument().ifPresent(now -> {
+            ScenarioDocument document = now.document();
             CompletableFuture<Scenario> edited = editedNow();
-            Runnable save = () -> write(now.document(), edited, file, then);
             writes.add(
                     () -> {
-                        // The edits are complete before the next task of the queue.
-                        edited.join();
-                        return FileContent.of(file);
+                        Scenario scenario = edited.join();
+                        // The event dispatch thread knows the results of all earlier requests by then.
+                        return CompletableFuture.supplyAsync(() -> SaveTarget.of(document), EventQueue::invokeLater)
+                                .join()
+                                .replace(scenario);
                     },
-                    found -> {
-                        if (found.mayBeReplaced(
-                                edited.join(), now.document().replaceable().orElse(null))) {
-                            save.run();
-                        } else {
-                            // The watch need not report it again.
-                            now.document().setSaved(found.scenario());
-                            workspace.fire(WorkspaceListener::titleChanged);
-                            onForeignChange.accept(new ForeignChange(found.problem(), save));
-                        }
+                    foreign -> {
+                        Path file = document.file().orElseThrow();
+                        foreign.ifPresentOrElse(
+                                found -> {
+                                    // The watch need not report it again.
+                                    document.setSaved(found.scenario());
+                                    workspace.fire(WorkspaceListener::titleChanged);
+                                    Runnable save = () -> writeToSameFile(document, edited, file, then);
+                                    onForeignChange.accept(new ForeignChange(file, found.problem(), save));
+                                },
+                                () -> saved(document, file, edited.join(), then));
                     },
-                    failure -> saveFailed(file, failure));
+                    failure -> saveFailed(document.file().orElseThrow(), failure));
         });
     }
 
@@ -220,7 +248,21 @@ public final class DocumentStore {
         return workspace.edited().orElseThrow();
     }
 
-    private void write(ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Runnable then) {
+    /** Writes a file that another save, which ends before, may replace by another one as the file of the document. */
+    private void writeToSameFile(
+            ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Runnable then) {
+        write(document, edited, file, scenario -> {
+            if (document.file().equals(Optional.of(file))) {
+                saved(document, file, scenario, then);
+            } else {
+                workspace.fire(listener -> listener.scenarioSaved(file));
+                then.run();
+            }
+        });
+    }
+
+    private void write(
+            ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Consumer<Scenario> onWritten) {
         Path present = document.file().orElse(null);
         writes.add(
                 () -> {
@@ -228,11 +270,13 @@ public final class DocumentStore {
                     scenario.save(file, present == null ? XmlComments.NONE : XmlComments.read(present));
                     return scenario;
                 },
-                scenario -> {
-                    markSaved(document, file, scenario);
-                    then.run();
-                },
+                onWritten,
                 failure -> saveFailed(file, failure));
+    }
+
+    private void saved(ScenarioDocument document, Path file, Scenario scenario, Runnable then) {
+        markSaved(document, file, scenario);
+        then.run();
     }
 
     private void saveFailed(Path file, Throwable failure) {

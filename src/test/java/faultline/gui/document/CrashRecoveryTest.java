@@ -119,7 +119,7 @@ class CrashRecoveryTest {
     private void assertSaveIsQuestioned(Consumer<DocumentStore.ForeignChange> check) {
         List<DocumentStore.ForeignChange> changes = new ArrayList<>();
         List<Path> saved = new ArrayList<>();
-        runOnEdt(() -> documentStore.saveUnlessReplaced(file, () -> saved.add(file), changes::add));
+        runOnEdt(() -> documentStore.saveUnlessReplaced(() -> saved.add(file), changes::add));
         Await.until("the answer", () -> !saved.isEmpty() || !changes.isEmpty());
         assertEquals(List.of(), saved);
         check.accept(changes.get(0));
@@ -146,7 +146,7 @@ class CrashRecoveryTest {
         assertSaveIsQuestioned(change -> assertNull(change.problem()));
         Files.delete(file);
         AtomicInteger saved = new AtomicInteger();
-        runOnEdt(() -> documentStore.saveUnlessReplaced(file, saved::incrementAndGet, change -> saved.set(-1)));
+        runOnEdt(() -> documentStore.saveUnlessReplaced(saved::incrementAndGet, change -> saved.set(-1)));
         Await.until("the save", () -> saved.get() != 0);
         assertEquals(1, saved.get());
     }

@@ -57,7 +57,7 @@ class ForeignChangeTest {
     /** Saves the scenario, and returns the change that is asked about; null if it is saved without a question. */
     private DocumentStore.ForeignChange save() {
         List<DocumentStore.ForeignChange> changes = new ArrayList<>();
-        runOnEdt(() -> documentStore.saveUnlessReplaced(file, () -> changes.add(null), changes::add));
+        runOnEdt(() -> documentStore.saveUnlessReplaced(() -> changes.add(null), changes::add));
         Await.until("the save or the question", () -> !changes.isEmpty());
         return changes.get(0);
     }

@@ -260,8 +260,7 @@ class WorkspaceTest {
         Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
         List<Runnable> save = new ArrayList<>();
         Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
-        runOnEdt(() ->
-                documentStore.saveUnlessReplaced(file, () -> sessionCount = 7, change -> save.add(change.save())));
+        runOnEdt(() -> documentStore.saveUnlessReplaced(() -> sessionCount = 7, change -> save.add(change.save())));
         waitFor("the question", () -> !save.isEmpty());
         Path other = Files.copy(Path.of("scenarios/mirror.xml"), folder.resolve("mirror.xml"));
         runOnEdt(() -> documentStore.open(other));

@@ -1,0 +1,139 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Saves that are requested while others are being written. */
+@ExtendWith(EdtChecker.class)
+class SaveOrderTest {
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private Path other;
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+    private final List<Path> saved = Collections.synchronizedList(new ArrayList<>());
+    private final List<DocumentStore.ForeignChange> changes = Collections.synchronizedList(new ArrayList<>());
+
+    @BeforeEach
+    void editAFile() throws IOException {
+        file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("room.xml"));
+        other = folder.resolve("other.xml");
+        workspace = callOnEdt(Workspace::new);
+        documentStore = new DocumentStore(workspace);
+        run = callOnEdt(() -> new RunController(workspace));
+        runOnEdt(() -> {
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void scenarioSaved(Path written) {
+                    saved.add(written);
+                }
+            });
+            documentStore.open(file);
+        });
+        SessionFrames.awaitScenario(workspace);
+        rename("Edited");
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private void rename(String name) {
+        runOnEdt(() -> run.change(scenario -> scenario.withName(name)));
+    }
+
+    private void save() {
+        documentStore.saveUnlessReplaced(() -> {}, changes::add);
+    }
+
+    private void saveAsOther() {
+        documentStore.save(other, () -> {});
+    }
+
+    private void awaitSaved(Path... files) {
+        Await.until("the saves", () -> saved.size() == files.length);
+        assertEquals(List.of(files), saved);
+    }
+
+    @Test
+    void theFileOfALaterSaveAsIsTheFileOfTheScenario() throws Exception {
+        runOnEdt(() -> {
+            save();
+            saveAsOther();
+        });
+        awaitSaved(file, other);
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+        rename("Edited later");
+        runOnEdt(this::save);
+        awaitSaved(file, other, other);
+        assertEquals("Edited", Scenario.load(file).name());
+        assertEquals("Edited later", Scenario.load(other).name());
+    }
+
+    @Test
+    void aSaveAfterASaveAsLeavesTheFirstFileAsItIs() throws Exception {
+        String before = Files.readString(file);
+        runOnEdt(() -> {
+            saveAsOther();
+            run.change(scenario -> scenario.withName("Edited later"));
+            save();
+        });
+        awaitSaved(other, other);
+        assertEquals("Edited later", Scenario.load(other).name());
+        assertEquals(before, Files.readString(file));
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+    }
+
+    @Test
+    void anotherSaveDoesNotAskAboutWhatTheFirstOneHasWritten() throws Exception {
+        runOnEdt(() -> {
+            save();
+            run.change(scenario -> scenario.withName("Edited later"));
+            save();
+        });
+        awaitSaved(file, file);
+        assertEquals(List.of(), changes);
+        assertEquals("Edited later", Scenario.load(file).name());
+    }
+
+    /** The question about the change is open while the other file is written. */
+    @Test
+    void aSaveThatWaitedForAnAnswerDoesNotReplaceTheFileOfALaterSaveAs() throws Exception {
+        Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
+        runOnEdt(() -> {
+            save();
+            saveAsOther();
+        });
+        awaitSaved(other);
+        assertEquals(1, changes.size());
+        assertEquals("Other", Scenario.load(file).name());
+        runOnEdt(changes.get(0).save()::run);
+        awaitSaved(other, file);
+        assertEquals("Edited", Scenario.load(file).name());
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+}
