@@ -97,6 +97,18 @@ public final class LinkResolver {
         return chain;
     }
 
+    /**
+     * Refuses a device or a pipe, because a program with a window cannot wait for whoever reads it.
+     *
+     * @param file the file, which need not exist
+     * @throws IOException if it is a device or a pipe, in one sentence
+     */
+    public static void refuseDevice(Path file) throws IOException {
+        if (isDevice(file)) {
+            throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.IS_DEVICE.with(), null);
+        }
+    }
+
     private static boolean isDevice(Path file) {
         return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
     }

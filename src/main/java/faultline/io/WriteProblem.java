@@ -14,6 +14,8 @@ import java.util.OptionalLong;
 public enum WriteProblem implements Message.Template {
     /** The path is a folder. */
     IS_FOLDER("this is a folder; expected a file"),
+    /** The path is a device or a pipe, where only a file can be written. */
+    IS_DEVICE("this is a device or a pipe; expected a file"),
     /** The folder of the file does not exist. */
     NO_FOLDER("its folder does not exist"),
     /** The file cannot be created in that place. */

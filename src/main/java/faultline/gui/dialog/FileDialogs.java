@@ -162,8 +162,8 @@ class FileDialogs {
 
     /**
      * A file chooser that Escape closes wherever the focus is, and that fits on the screen. It stays open if the file
-     * to open does not exist, and if the file to save is a folder or is not to be replaced. The name of a file to save
-     * may contain the characters of a file name pattern.
+     * to open does not exist, and if the file to save is a folder, a device or a pipe, or is not to be replaced. The
+     * name of a file to save may contain the characters of a file name pattern.
      */
     static final class EscapableFileChooser extends JFileChooser {
         /** Appends the extension to the name of a file to save, null if none is saved. */
@@ -247,6 +247,9 @@ class FileDialogs {
     static Optional<String> savingProblem(File file) {
         if (file.isDirectory()) {
             return Optional.of(Messages.get("files.isFolder", file.getName()));
+        }
+        if (file.exists() && !file.isFile()) {
+            return Optional.of(Messages.get("files.isDevice", file.getName()));
         }
         File folder = file.getAbsoluteFile().getParentFile();
         return folder == null || folder.isDirectory()

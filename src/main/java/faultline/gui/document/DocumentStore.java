@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.io.LinkResolver;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
@@ -202,6 +203,7 @@ public final class DocumentStore {
 
         /** Writes a scenario; does nothing but return what another program has written, if it has. */
         Optional<FileContent> replace(Scenario edited) throws IOException {
+            LinkResolver.refuseDevice(file);
             FileContent found = FileContent.of(file);
             if (!found.mayBeReplaced(edited, replaceable)) {
                 return Optional.of(found);
@@ -267,7 +269,10 @@ public final class DocumentStore {
         writes.add(
                 () -> {
                     Scenario scenario = edited.join();
-                    scenario.save(file, present == null ? XmlComments.NONE : XmlComments.read(present));
+                    LinkResolver.refuseDevice(file);
+                    // A pipe, from which a scenario may have been opened, has no second content.
+                    boolean readable = present != null && Files.isRegularFile(present);
+                    scenario.save(file, readable ? XmlComments.read(present) : XmlComments.NONE);
                     return scenario;
                 },
                 onWritten,
@@ -297,6 +302,7 @@ public final class DocumentStore {
                 .ifPresent(replay -> writes.add(
                         () -> {
                             Scenario scenario = replay.join();
+                            LinkResolver.refuseDevice(file);
                             scenario.save(file);
                             return scenario;
                         },

@@ -6,6 +6,7 @@ import faultline.gui.document.FileNames;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.text.Messages;
 import faultline.io.AtomicFile;
+import faultline.io.LinkResolver;
 import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.EventQueue;
@@ -111,6 +112,7 @@ final class ExportTask {
     }
 
     private void write() throws IOException {
+        LinkResolver.refuseDevice(file);
         try (AtomicFile out = AtomicFile.create(file)) {
             export.write(out.stream(), progress);
             progress.throwIfCancelled();

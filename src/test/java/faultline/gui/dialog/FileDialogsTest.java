@@ -12,6 +12,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -79,6 +81,14 @@ class FileDialogsTest {
                 Optional.empty(),
                 FileDialogs.savingProblem(folder.resolve("new.xml").toFile()));
         assertEquals(Optional.empty(), FileDialogs.savingProblem(new File("new.xml")));
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no files for devices")
+    void aDeviceIsNotWritten() {
+        assertEquals(
+                Optional.of("null is a device or a pipe. Enter another name."),
+                FileDialogs.savingProblem(new File("/dev/null")));
     }
 
     @ParameterizedTest

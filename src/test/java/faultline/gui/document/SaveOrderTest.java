@@ -18,6 +18,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -34,6 +36,7 @@ class SaveOrderTest {
     private RunController run;
     private DocumentStore documentStore;
     private final List<Path> saved = Collections.synchronizedList(new ArrayList<>());
+    private final List<String> failures = Collections.synchronizedList(new ArrayList<>());
     private final List<DocumentStore.ForeignChange> changes = Collections.synchronizedList(new ArrayList<>());
 
     @BeforeEach
@@ -48,6 +51,11 @@ class SaveOrderTest {
                 @Override
                 public void scenarioSaved(Path written) {
                     saved.add(written);
+                }
+
+                @Override
+                public void taskFailed(TaskKind task, Path written, Throwable failure) {
+                    failures.add(failure.getMessage());
                 }
             });
             documentStore.open(file);
@@ -117,6 +125,35 @@ class SaveOrderTest {
         awaitSaved(file, file);
         assertEquals(List.of(), changes);
         assertEquals("Edited later", Scenario.load(file).name());
+    }
+
+    /** Nobody reads the pipe, so a write to it would not end. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no mkfifo")
+    void aPipeIsRefusedAndDoesNotBlockLaterSaves() throws Exception {
+        Path pipe = folder.resolve("pipe.xml");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        runOnEdt(() -> {
+            documentStore.save(pipe, () -> {});
+            documentStore.saveJournal(pipe);
+            save();
+        });
+        awaitSaved(file);
+        String refusal = pipe + ": this is a device or a pipe; expected a file";
+        assertEquals(List.of(refusal, refusal), failures);
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no mkfifo")
+    void aScenarioFromAPipeIsSavedAsAFile() throws Exception {
+        Path pipe = folder.resolve("pipe.xml");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        Scenario scenario = callOnEdt(() -> workspace.scenario().orElseThrow());
+        runOnEdt(() -> documentStore.open(pipe, () -> scenario));
+        Await.until("the scenario", () -> workspace.file().equals(Optional.of(pipe)));
+        runOnEdt(this::saveAsOther);
+        awaitSaved(other);
+        assertEquals(scenario, Scenario.load(other));
     }
 
     /** The question about the change is open while the other file is written. */

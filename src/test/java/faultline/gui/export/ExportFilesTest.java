@@ -42,6 +42,8 @@ import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -202,6 +204,17 @@ class ExportFilesTest {
                 List.of(file + " cannot be written: this is the open scenario itself; expected another file"),
                 sentences);
         assertEquals(scenario, Files.readString(file));
+    }
+
+    /** Nobody reads the pipe, so a write to it would not end. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no mkfifo")
+    void aPipeIsRefused() throws Exception {
+        Path pipe = folder.resolve("out.svg");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        runOnEdt(() -> action("exportSvg").actionPerformed(null));
+        Await.until("the failure", () -> !sentences.isEmpty());
+        assertEquals(List.of(pipe + " cannot be written: this is a device or a pipe; expected a file"), sentences);
     }
 
     @Test
