@@ -12,9 +12,13 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import javax.swing.Timer;
 
 /** Loads and saves the scenario of a workspace, asynchronously. */
 public final class DocumentStore {
+
+    /** The time after which a save that has not ended is reported. */
+    private static final int SLOW_MILLIS = 1000;
 
     private final Workspace workspace;
     private final WriteQueue writes = new WriteQueue();
@@ -222,7 +226,7 @@ public final class DocumentStore {
         workspace.openDocument().ifPresent(now -> {
             ScenarioDocument document = now.document();
             CompletableFuture<Scenario> edited = editedNow();
-            writes.add(
+            CompletableFuture<Void> end = writes.add(
                     () -> {
                         Scenario scenario = edited.join();
                         // The event dispatch thread knows the results of all earlier requests by then.
@@ -243,6 +247,7 @@ public final class DocumentStore {
                                 () -> saved(document, file, edited.join(), then));
                     },
                     failure -> saveFailed(document.file().orElseThrow(), failure));
+            reportIfSlow(document.file().orElseThrow(), end);
         });
     }
 
@@ -266,7 +271,7 @@ public final class DocumentStore {
     private void write(
             ScenarioDocument document, CompletableFuture<Scenario> edited, Path file, Consumer<Scenario> onWritten) {
         Path present = document.file().orElse(null);
-        writes.add(
+        CompletableFuture<Void> end = writes.add(
                 () -> {
                     Scenario scenario = edited.join();
                     LinkResolver.refuseDevice(file);
@@ -277,6 +282,7 @@ public final class DocumentStore {
                 },
                 onWritten,
                 failure -> saveFailed(file, failure));
+        reportIfSlow(file, end);
     }
 
     private void saved(ScenarioDocument document, Path file, Scenario scenario, Runnable then) {
@@ -297,17 +303,27 @@ public final class DocumentStore {
 
     /** Saves a scenario that replays the run so far. */
     public void saveJournal(Path file) {
-        workspace
-                .replayScenario()
-                .ifPresent(replay -> writes.add(
-                        () -> {
-                            Scenario scenario = replay.join();
-                            LinkResolver.refuseDevice(file);
-                            scenario.save(file);
-                            return scenario;
-                        },
-                        saved -> workspace.fire(listener -> listener.journalSaved(file)),
-                        failure ->
-                                workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE_JOURNAL, file, failure))));
+        workspace.replayScenario().ifPresent(replay -> {
+            CompletableFuture<Void> end = writes.add(
+                    () -> {
+                        Scenario scenario = replay.join();
+                        LinkResolver.refuseDevice(file);
+                        scenario.save(file);
+                        return scenario;
+                    },
+                    saved -> workspace.fire(listener -> listener.journalSaved(file)),
+                    failure -> workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE_JOURNAL, file, failure)));
+            reportIfSlow(file, end);
+        });
+    }
+
+    private void reportIfSlow(Path file, CompletableFuture<Void> end) {
+        Timer timer = new Timer(SLOW_MILLIS, event -> {
+            if (!end.isDone()) {
+                workspace.fire(listener -> listener.saveSlow(file, () -> !end.isDone()));
+            }
+        });
+        timer.setRepeats(false);
+        timer.start();
     }
 }

@@ -2,6 +2,7 @@ package faultline.gui.document;
 
 import faultline.engine.SimulationSetup;
 import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
 
 /** Receives events of a workspace, on the event dispatch thread. */
 public interface WorkspaceListener {
@@ -64,6 +65,9 @@ public interface WorkspaceListener {
 
     /** A reference run is being loaded, has been loaded, or has been removed. */
     default void comparisonChanged() {}
+
+    /** A save to a file takes long; it ends when {@code writing} returns false. */
+    default void saveSlow(Path file, BooleanSupplier writing) {}
 
     /** The scenario has been saved to a file; another one may be open by now. */
     default void scenarioSaved(Path file) {}

@@ -13,8 +13,11 @@ final class WriteQueue {
     /** Completes when the outcome of the last task is being passed on. */
     private CompletableFuture<Void> last = CompletableFuture.completedFuture(null);
 
-    /** Adds a task, as {@link BackgroundTasks#computeBeforeExit(Callable, Consumer, Consumer)} starts one. */
-    <T> void add(Callable<T> task, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+    /**
+     * Adds a task, as {@link BackgroundTasks#computeBeforeExit(Callable, Consumer, Consumer)} starts one. The future
+     * completes when the outcome of the task is being passed on.
+     */
+    <T> CompletableFuture<Void> add(Callable<T> task, Consumer<T> onDone, Consumer<Throwable> onFailed) {
         CompletableFuture<Void> previous = last;
         CompletableFuture<Void> end = new CompletableFuture<>();
         last = end;
@@ -31,5 +34,6 @@ final class WriteQueue {
                     end.complete(null);
                     onFailed.accept(failure);
                 });
+        return end;
     }
 }

@@ -23,6 +23,11 @@ final class FileNotifier implements WorkspaceListener {
     }
 
     @Override
+    public void saveSlow(Path file, BooleanSupplier writing) {
+        statusBar.keepNote(Messages.get("saving", FileNames.lastOf(file)), writing);
+    }
+
+    @Override
     public void scenarioSaved(Path file) {
         fileSaved(file);
     }

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,6 +39,7 @@ class SaveOrderTest {
     private DocumentStore documentStore;
     private final List<Path> saved = Collections.synchronizedList(new ArrayList<>());
     private final List<String> failures = Collections.synchronizedList(new ArrayList<>());
+    private final List<BooleanSupplier> slow = Collections.synchronizedList(new ArrayList<>());
     private final List<DocumentStore.ForeignChange> changes = Collections.synchronizedList(new ArrayList<>());
 
     @BeforeEach
@@ -51,6 +54,11 @@ class SaveOrderTest {
                 @Override
                 public void scenarioSaved(Path written) {
                     saved.add(written);
+                }
+
+                @Override
+                public void saveSlow(Path written, BooleanSupplier writing) {
+                    slow.add(writing);
                 }
 
                 @Override
@@ -154,6 +162,19 @@ class SaveOrderTest {
         runOnEdt(this::saveAsOther);
         awaitSaved(other);
         assertEquals(scenario, Scenario.load(other));
+    }
+
+    @Test
+    void aSaveThatTakesLongIsReportedUntilItEnds() {
+        runOnEdt(() -> {
+            workspace.editDeferred();
+            save();
+        });
+        Await.until("the report", () -> slow.size() == 1);
+        assertTrue(slow.get(0).getAsBoolean());
+        runOnEdt(workspace::deferredEditsSent);
+        awaitSaved(file);
+        assertFalse(slow.get(0).getAsBoolean());
     }
 
     /** The question about the change is open while the other file is written. */

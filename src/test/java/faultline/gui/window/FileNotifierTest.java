@@ -38,6 +38,12 @@ class FileNotifierTest {
     }
 
     @Test
+    void aSaveThatTakesLongIsNotedUntilItEnds() {
+        runOnEdt(() -> notifier.saveSlow(Path.of("runs", "a.xml"), () -> true));
+        assertEquals("Still saving a.xml", note());
+    }
+
+    @Test
     void editsThatCannotBeKeptForRecoveryAreReported() {
         runOnEdt(() -> notifier.autosaveFailed(new IOException("no space"), () -> true));
         assertTrue(note().startsWith("The unsaved changes cannot be kept for recovery: "), note());
