@@ -1,6 +1,7 @@
 package faultline.gui;
 
 import faultline.external.ControllerChoice;
+import faultline.gui.dialog.ExitNotice;
 import faultline.gui.dialog.UncaughtExceptionDialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.RecoveryStore;
@@ -110,7 +111,11 @@ public final class GuiLauncher {
         window.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {
-                BackgroundTasks.runAfterAll(GuiLauncher::exitUnlessWindowsAreOpen);
+                ExitNotice notice = new ExitNotice(() -> System.exit(0));
+                BackgroundTasks.runAfterAll(() -> {
+                    notice.close();
+                    exitUnlessWindowsAreOpen();
+                });
             }
         });
         SystemQuit.install(window);
