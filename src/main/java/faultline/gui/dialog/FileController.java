@@ -226,17 +226,13 @@ public final class FileController {
      * cannot be opened, they are offered again at the next start.
      */
     public void offerRecovery(RecoveryStore.RecoveredFile recovered, Consumer<RecoveryPrompt.Answer> onAnswer) {
-        String name = recovered
-                .origin()
-                .map(file -> FileNames.lastOf(file))
-                .orElse(recovered.scenario().name());
         int answer = fileDialogs.showOptions(
-                "recover", Messages.get("recover.question", name), "recover.recover", "recover.discard");
+                "recover", Messages.get("recover.question", recovered.name()), "recover.recover", "recover.discard");
         if (answer == 0) {
             documentStore.recover(
                     recovered,
                     () -> onAnswer.accept(RecoveryPrompt.Answer.RECOVER),
-                    () -> onAnswer.accept(RecoveryPrompt.Answer.LATER));
+                    () -> onAnswer.accept(RecoveryPrompt.Answer.NOT_OPENED));
         } else {
             onAnswer.accept(answer == 1 ? RecoveryPrompt.Answer.DISCARD : RecoveryPrompt.Answer.LATER);
         }

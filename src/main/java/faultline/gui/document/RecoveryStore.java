@@ -57,6 +57,11 @@ public final class RecoveryStore {
      */
     public record RecoveredFile(Path recoveryFile, Path originFile, Scenario base, Scenario scenario) {
 
+        /** Returns the name of the file that was edited, or that of a scenario without a file. */
+        public String name() {
+            return origin().map(FileNames::lastOf).orElse(scenario.name());
+        }
+
         /** Returns the file that was edited; empty for a scenario without a file. */
         public Optional<Path> origin() {
             return Optional.ofNullable(originFile);
@@ -192,12 +197,17 @@ public final class RecoveryStore {
      * Returns the edits of a process that no longer runs; empty if there are none that can be read. Until they are
      * adopted, discarded or released, no other process finds them.
      */
-    synchronized Optional<RecoveredFile> findOrphan() throws IOException {
+    Optional<RecoveredFile> findOrphan() throws IOException {
+        return findOrphan(Set.of());
+    }
+
+    /** Returns edits as {@link #findOrphan()} does, but not those of the given files, which were found before. */
+    synchronized Optional<RecoveredFile> findOrphan(Set<Path> foundBefore) throws IOException {
         release();
-        if (Files.notExists(folder)) {
-            return Optional.empty();
-        }
         for (Path file : orphans()) {
+            if (foundBefore.contains(file)) {
+                continue;
+            }
             Optional<RecoveredFile> found = claim(file) ? loadRecovered(file) : Optional.empty();
             if (found.isPresent()) {
                 return found;
@@ -211,7 +221,18 @@ public final class RecoveryStore {
         return Optional.empty();
     }
 
+    /** Returns the edits of all processes that no longer run, so far as they can be read; others may find them, too. */
+    List<RecoveredFile> orphanedEdits() throws IOException {
+        return orphans().stream()
+                .map(RecoveryStore::loadRecovered)
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
     private List<Path> orphans() throws IOException {
+        if (Files.notExists(folder)) {
+            return List.of();
+        }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> !(locking && file.equals(ownFile())))
                     .filter(RecoveryStore::isOrphan)

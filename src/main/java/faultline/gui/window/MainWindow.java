@@ -364,13 +364,14 @@ public final class MainWindow extends JFrame {
     }
 
     /**
-     * Starts to store unsaved edits where a crash cannot lose them, and offers those of an earlier crash
-     * asynchronously. If there are none, {@code otherwise} is called.
+     * Starts to store unsaved edits where a crash cannot lose them, and offers those of earlier crashes asynchronously.
+     * If there are none, {@code otherwise} is called.
      */
     public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
         autosave = new Autosave(
                 workspace, recovery, failure -> fileNotifier.autosaveFailed(failure, () -> autosave.isFailing()));
-        RecoveryPrompt.offerRecovery(recovery, autosave, fileController::offerRecovery, otherwise);
+        RecoveryPrompt.offerRecovery(
+                recovery, autosave, fileController::offerRecovery, fileNotifier::editsLeft, otherwise);
     }
 
     /** Shows events of the workspace. */

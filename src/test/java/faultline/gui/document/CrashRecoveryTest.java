@@ -167,6 +167,7 @@ class CrashRecoveryTest {
                 autosave,
                 (found, onAnswer) ->
                         documentStore.recover(found, () -> onAnswer.accept(RecoveryPrompt.Answer.RECOVER), () -> {}),
+                others -> {},
                 () -> {}));
         Path ownFile = kept.resolve((DEAD - 1) + "-0.xml");
         Await.until("the edits", () -> workspace.isChanged() && Files.exists(ownFile));
@@ -266,6 +267,7 @@ class CrashRecoveryTest {
                     foundDuringTheOffer.set(isFoundBy(second));
                     onAnswer.accept(RecoveryPrompt.Answer.LATER);
                 },
+                others -> {},
                 () -> {}));
         Await.until("the answer", () -> foundDuringTheOffer.get() != null);
         Await.until("the offer of the next window", () -> isFoundBy(second));

@@ -12,14 +12,18 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Edits that a crash has left are kept until they are open. */
 @ExtendWith(EdtChecker.class)
@@ -63,7 +67,8 @@ class RecoveredEditsTest {
                 (found, onAnswer) -> documentStore.recover(
                         found,
                         () -> answer(onAnswer, RecoveryPrompt.Answer.RECOVER),
-                        () -> answer(onAnswer, RecoveryPrompt.Answer.LATER)),
+                        () -> answer(onAnswer, RecoveryPrompt.Answer.NOT_OPENED)),
+                others -> {},
                 () -> {}));
         return autosave;
     }
@@ -78,7 +83,7 @@ class RecoveredEditsTest {
         Await.until("the next offer", () -> next.findOrphan().isPresent());
         next.release();
         runOnEdt(autosave::close);
-        assertEquals(List.of(RecoveryPrompt.Answer.LATER), answers);
+        assertEquals(List.of(RecoveryPrompt.Answer.NOT_OPENED), answers);
         assertTrue(next.findOrphan().isPresent(), "a window without these edits does not delete them");
     }
 
@@ -104,7 +109,7 @@ class RecoveredEditsTest {
             workspace.retry();
         });
         Await.until("the note of the adoption", autosave::hasEdits);
-        assertEquals(List.of(RecoveryPrompt.Answer.LATER, RecoveryPrompt.Answer.RECOVER), answers);
+        assertEquals(List.of(RecoveryPrompt.Answer.NOT_OPENED, RecoveryPrompt.Answer.RECOVER), answers);
         assertTrue(callOnEdt(() -> workspace.scenario().isPresent()));
     }
 
@@ -124,5 +129,41 @@ class RecoveredEditsTest {
         runOnEdt(workspace::cancelTask);
         cancelled.countDown();
         assertOfferedAgain(autosave);
+    }
+
+    /** Offers the edits of this crash and of another one, and gives the answer to all of them. */
+    private List<String> offerAll(BiConsumer<RecoveryStore.RecoveredFile, Consumer<RecoveryPrompt.Answer>> question)
+            throws Exception {
+        new RecoveryStore(folder, Integer.MAX_VALUE - 1, Instant.EPOCH)
+                .save(Path.of("yard.xml"), null, Scenario.loadShipped("yard.xml"));
+        List<String> events = Collections.synchronizedList(new ArrayList<>());
+        Autosave autosave = callOnEdt(() -> new Autosave(workspace, own, failures::add));
+        runOnEdt(() -> RecoveryPrompt.offerRecovery(
+                own,
+                autosave,
+                (found, onAnswer) -> {
+                    events.add(found.name());
+                    question.accept(found, onAnswer);
+                },
+                others -> others.forEach(other -> events.add("left: " + other.name())),
+                () -> events.add("nothing")));
+        Await.until("two events", () -> events.size() == 2);
+        return List.copyOf(events);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"DISCARD", "LATER"})
+    void theEditsOfSeveralCrashesAreOfferedOneAfterAnother(RecoveryPrompt.Answer answer) throws Exception {
+        assertEquals(List.of("yard.xml", "Office"), offerAll((found, onAnswer) -> onAnswer.accept(answer)));
+        boolean later = answer == RecoveryPrompt.Answer.LATER;
+        Await.until("the end", () -> own.orphanedEdits().size() == (later ? 2 : 0));
+    }
+
+    @Test
+    void theEditsThatAreLeftWhenSomeAreRecoveredAreNamed() throws Exception {
+        assertEquals(
+                List.of("yard.xml", "left: Office"),
+                offerAll((found, onAnswer) ->
+                        documentStore.recover(found, () -> onAnswer.accept(RecoveryPrompt.Answer.RECOVER), () -> {})));
     }
 }
