@@ -50,7 +50,7 @@ public final class FileWatch implements AutoCloseable {
      * Starts to watch the open file of a workspace. On the event dispatch thread, {@code onChanged} is called with the
      * file if it holds another scenario, and returns whether a save may replace it; {@code onBroken} is called if it
      * can no longer be read, and {@code onDeleted} with the file if it no longer exists. While a modal dialog is open,
-     * which may show values of the scenario, nothing is reported.
+     * which may show values of the scenario, or another scenario is being opened, nothing is reported.
      */
     public FileWatch(
             Workspace workspace,
@@ -111,18 +111,27 @@ public final class FileWatch implements AutoCloseable {
 
     /**
      * Ends a poll, given what the file held when it began, null for nothing. The result does not count if the file has
-     * been saved since then.
+     * been saved since then, or while another scenario may be about to open.
      */
     private void end(Scenario savedBefore, Runnable result) {
         polling = false;
-        if (!busy.getAsBoolean() && Objects.equals(workspace.savedScenario().orElse(null), savedBefore)) {
+        if (!busy.getAsBoolean() && workspace.task().isEmpty() && isSaved(savedBefore)) {
             result.run();
         }
     }
 
+    /** Returns whether the open file holds a scenario, as far as is known, null for none. */
+    private boolean isSaved(Scenario scenario) {
+        return Objects.equals(workspace.savedScenario().orElse(null), scenario);
+    }
+
+    private boolean isOpen(Path file) {
+        return workspace.file().equals(Optional.of(file));
+    }
+
     private void inspected(PollResult result) {
         lastSeen = result.version();
-        if (!workspace.file().equals(Optional.of(lastSeen.file()))) {
+        if (!isOpen(lastSeen.file())) {
             return;
         }
         if (result.scenario() != null) {
@@ -137,7 +146,7 @@ public final class FileWatch implements AutoCloseable {
 
     /** Reports a file that is missing at two polls; programs that replace a file may delete it for a moment. */
     private void notInspected(Path file, Throwable failure) {
-        if (failure instanceof NoSuchFileException && workspace.file().equals(Optional.of(file))) {
+        if (failure instanceof NoSuchFileException && isOpen(file)) {
             FileVersion none = new FileVersion(file, null, 0);
             if (none.equals(lastSeen) && !none.equals(lastRead)) {
                 lastRead = none;
@@ -149,8 +158,14 @@ public final class FileWatch implements AutoCloseable {
     }
 
     private void scenarioFound(Scenario found) {
-        if (!workspace.savedScenario().equals(Optional.of(found))) {
-            boolean replaceable = workspace.scenario().equals(Optional.of(found)) || onChanged.test(lastSeen.file());
+        if (isSaved(found)) {
+            return;
+        }
+        Path file = lastSeen.file();
+        Scenario savedBefore = workspace.savedScenario().orElse(null);
+        boolean replaceable = workspace.scenario().equals(Optional.of(found)) || onChanged.test(file);
+        // While the question was open, another scenario may have been opened, or this one saved.
+        if (isOpen(file) && isSaved(savedBefore)) {
             workspace.setSavedScenario(found);
             if (replaceable) {
                 workspace.allowReplacement();

@@ -3,6 +3,7 @@ package faultline.gui.document;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
@@ -10,12 +11,16 @@ import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
+import java.awt.SecondaryLoop;
+import java.awt.Toolkit;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -73,8 +78,11 @@ class ForeignChangeTest {
             watchAnswers.add(keep);
             return keep;
         };
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, question, broken -> {}, deleted -> {}));
-        for (int i = 0; i < 4; i++) {
+        poll(callOnEdt(() -> new FileWatch(workspace, question, broken -> {}, deleted -> {})), 4);
+    }
+
+    private static void poll(FileWatch watch, int times) {
+        for (int i = 0; i < times; i++) {
             runOnEdt(watch::poll);
             Await.until("the end of a poll", () -> !watch.isPolling());
         }
@@ -144,5 +152,44 @@ class ForeignChangeTest {
         runOnEdt(() -> documentStore.recover(kept, () -> {}, () -> {}));
         Await.until("the recovery", () -> workspace.openDocument().orElseThrow() != before);
         assertSaveIsQuestioned();
+    }
+
+    /** The file that was chosen before the question opens while the question is shown. */
+    @Test
+    void theAnswerOfTheWatchDoesNotConcernAScenarioThatIsOpenedMeanwhile() throws Exception {
+        Path other = Files.copy(Path.of("scenarios/mirror.xml"), folder.resolve("mirror.xml"));
+        Predicate<Path> question = changed -> {
+            SecondaryLoop modal =
+                    Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
+            documentStore.open(other);
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void taskFinished() {
+                    modal.exit();
+                }
+            });
+            modal.enter();
+            return watchAnswers.add(true);
+        };
+        poll(callOnEdt(() -> new FileWatch(workspace, question, broken -> {}, deleted -> {})), 4);
+        Await.until("the answer", () -> watchAnswers.size() == 1);
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+        assertEquals(Optional.of(Scenario.load(other)), callOnEdt(workspace::savedScenario));
+        assertEquals(Optional.of(Scenario.load(other)), callOnEdt(workspace::replaceableScenario));
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
+    void theWatchDoesNotAskWhileAScenarioIsBeingOpened() throws Exception {
+        CountDownLatch opened = new CountDownLatch(1);
+        Scenario scenario = Scenario.load(Path.of("scenarios/mirror.xml"));
+        runOnEdt(() -> documentStore.open(file, () -> {
+            opened.await();
+            return scenario;
+        }));
+        watch(true);
+        assertEquals(List.of(), watchAnswers);
+        opened.countDown();
+        Await.until("the scenario", () -> workspace.task().isEmpty());
     }
 }
