@@ -25,7 +25,11 @@ public final class RecentTexts {
 
     /** Returns the texts, newest first. */
     public List<String> texts() {
-        return store.get(key).lines().filter(line -> !line.isBlank()).toList();
+        return lines(store.get(key)).toList();
+    }
+
+    private static Stream<String> lines(String stored) {
+        return stored.lines().filter(line -> !line.isBlank());
     }
 
     /**
@@ -35,27 +39,29 @@ public final class RecentTexts {
      */
     public void add(String text) {
         if (text.length() <= MAX_VALUE_LENGTH && !LINE_BREAK.matcher(text).find() && XmlText.isValid(text)) {
-            store(Stream.concat(Stream.of(text), texts().stream().filter(other -> !other.equals(text)))
-                    .limit(MAX_TEXTS)
-                    .toList());
+            store.change(
+                    key,
+                    stored -> joined(Stream.concat(Stream.of(text), without(text, stored))
+                            .limit(MAX_TEXTS)
+                            .toList()));
         }
     }
 
     void remove(String text) {
-        store(texts().stream().filter(other -> !other.equals(text)).toList());
+        store.change(key, stored -> joined(without(text, stored).toList()));
     }
 
     void clear() {
-        store(List.of());
+        store.change(key, stored -> "");
     }
 
-    /** Stores as many of the newest texts as the preferences have room for. */
-    private void store(List<String> texts) {
+    private static Stream<String> without(String text, String stored) {
+        return lines(stored).filter(other -> !other.equals(text));
+    }
+
+    /** Joins as many of the newest texts as the preferences have room for. */
+    private static String joined(List<String> texts) {
         String lines = String.join("\n", texts);
-        if (lines.length() > MAX_VALUE_LENGTH) {
-            store(texts.subList(0, texts.size() - 1));
-        } else {
-            store.put(key, lines);
-        }
+        return lines.length() > MAX_VALUE_LENGTH ? joined(texts.subList(0, texts.size() - 1)) : lines;
     }
 }

@@ -19,14 +19,30 @@ public final class WindowPreferences {
 
     private final PreferenceStore store;
 
-    /** A store of texts by key; an empty text if there is none. */
-    public record PreferenceStore(UnaryOperator<String> getter, BiConsumer<String, String> setter) {
+    /**
+     * A store of texts by key; an empty text if there is none. The changer applies a change to the text of a key, which
+     * other windows may change, too.
+     */
+    public record PreferenceStore(
+            UnaryOperator<String> getter,
+            BiConsumer<String, String> setter,
+            BiConsumer<String, UnaryOperator<String>> changer) {
+
+        /** Creates a store that no other window uses. */
+        public PreferenceStore(UnaryOperator<String> getter, BiConsumer<String, String> setter) {
+            this(getter, setter, (key, change) -> setter.accept(key, change.apply(getter.apply(key))));
+        }
+
         String get(String key) {
             return getter.apply(key);
         }
 
         void put(String key, String text) {
             setter.accept(key, text);
+        }
+
+        void change(String key, UnaryOperator<String> change) {
+            changer.accept(key, change);
         }
     }
 

@@ -2,13 +2,16 @@ package faultline.gui.settings;
 
 import faultline.gui.settings.WindowPreferences.PreferenceStore;
 import faultline.io.ShutdownHooks;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.UnaryOperator;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.BackingStoreException;
@@ -19,7 +22,8 @@ import javax.swing.Timer;
  * A store in a node of the system's preferences. The texts are read once, at the start. A change is kept in memory and
  * passed to the node by another thread, because a node that is being written to disk holds a lock, for 0.1 to 0.2
  * seconds. The node is written to disk shortly after a change, so that little is left to write at exit; the first
- * writing takes about a second, because it loads the XML classes of the platform.
+ * writing takes about a second, because it loads the XML classes of the platform. What other windows have changed in
+ * the node is kept.
  */
 final class WrittenPreferences {
 
@@ -29,6 +33,11 @@ final class WrittenPreferences {
 
     private static final int MAX_SECONDS_AT_EXIT = 5;
 
+    /** Reads or writes the file of the node. */
+    private interface StoreAccess {
+        void perform() throws BackingStoreException;
+    }
+
     private final Preferences node;
     private final Map<String, String> texts = new HashMap<>();
     /** The only thread that uses the node after the start. */
@@ -37,6 +46,12 @@ final class WrittenPreferences {
         thread.setDaemon(true);
         return thread;
     });
+
+    /**
+     * The changes of the node that wait for the next writing; used by the writer only. They are made after the node has
+     * been read, because the platform writes all of its texts, also those that another process has changed.
+     */
+    private final List<Runnable> changes = new ArrayList<>();
 
     private final Timer timer;
 
@@ -55,7 +70,7 @@ final class WrittenPreferences {
         WrittenPreferences written = new WrittenPreferences(node, delayMillis);
         written.read();
         ShutdownHooks.add(new Thread(written::writeAtExit, "faultline-preferences-exit"));
-        return new PreferenceStore(key -> written.texts.getOrDefault(key, ""), written::put);
+        return new PreferenceStore(key -> written.texts.getOrDefault(key, ""), written::put, written::change);
     }
 
     private void read() {
@@ -69,16 +84,34 @@ final class WrittenPreferences {
     }
 
     private void put(String key, String text) {
-        if (!text.equals(texts.getOrDefault(key, ""))) {
-            texts.put(key, text);
-            writer.execute(() -> node.put(key, text));
+        change(key, before -> text);
+    }
+
+    /** Changes a text that other windows may change, too; the change of each window is applied to the node. */
+    private void change(String key, UnaryOperator<String> change) {
+        String before = texts.getOrDefault(key, "");
+        String after = change.apply(before);
+        if (!after.equals(before)) {
+            texts.put(key, after);
+            writer.execute(() -> changes.add(() -> node.put(key, change.apply(node.get(key, "")))));
             timer.restart();
         }
     }
 
     private void write() {
+        if (!changes.isEmpty()) {
+            // On Linux, only the second call reads what another process has written.
+            attempt(node::sync);
+            attempt(node::sync);
+            changes.forEach(Runnable::run);
+            changes.clear();
+        }
+        attempt(node::flush);
+    }
+
+    private static void attempt(StoreAccess access) {
         try {
-            node.flush();
+            access.perform();
         } catch (BackingStoreException | AssertionError unavailable) {
             // The JDK throws an AssertionError if the disk is full.
             LOG.log(Level.FINE, "the preferences cannot be written", unavailable);

@@ -21,6 +21,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.prefs.AbstractPreferences;
 import java.util.prefs.Preferences;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -84,9 +85,7 @@ class WrittenPreferencesTest {
         }
 
         @Override
-        protected void syncSpi() {
-            flushSpi();
-        }
+        protected void syncSpi() {}
 
         @Override
         protected void flushSpi() {
@@ -177,6 +176,81 @@ class WrittenPreferencesTest {
             store.put("theme", "DARK");
         });
         Await.until("the changes are written", () -> node.flushes.get() == 1);
+    }
+
+    private static RecentFiles recentFiles(PreferenceStore store) {
+        return new WindowPreferences(store).recentFiles();
+    }
+
+    @Test
+    void theRecentFilesOfTwoWindowsAreKept() {
+        RecentFiles first = recentFiles(store);
+        RecentFiles second = recentFiles(WrittenPreferences.storeOf(node, DELAY));
+        List<Path> files = Stream.of("a", "b", "c")
+                .map(name -> Path.of(name).toAbsolutePath())
+                .toList();
+        runOnEdt(() -> {
+            first.add(files.get(0));
+            first.add(files.get(1));
+        });
+        Await.until("the first files", () -> node.flushes.get() == 1);
+        runOnEdt(() -> second.add(files.get(2)));
+        Await.until("the second file", () -> node.flushes.get() == 2);
+        runOnEdt(() -> {
+            assertEquals(List.of(files.get(1), files.get(0)), first.files());
+            first.remove(files.get(0));
+        });
+        Await.until("the removal", () -> node.flushes.get() == 3);
+        assertEquals(
+                List.of(files.get(2), files.get(1)),
+                recentFiles(WrittenPreferences.storeOf(node, DELAY)).files());
+        runOnEdt(second::clear);
+        Await.until("the end", () -> node.texts.get("recent").isEmpty());
+    }
+
+    /** A process that prints two preferences and the recent files, and adds one of each when its input ends. */
+    static final class Adding {
+        public static void main(String[] arguments) throws Exception {
+            System.setProperty("java.util.prefs.userRoot", arguments[0]);
+            Preferences node = Preferences.userRoot().node("faultline/test");
+            PreferenceStore store = WrittenPreferences.storeOf(node, DELAY);
+            RecentFiles recent = recentFiles(store);
+            System.out.print(store.get("a") + " " + store.get("b") + " ");
+            recent.files().forEach(file -> System.out.print(file.getFileName() + " "));
+            System.out.print('.');
+            System.out.flush();
+            while (System.in.read() >= 0) {
+                Thread.onSpinWait();
+            }
+            runOnEdt(() -> {
+                recent.add(Path.of(arguments[1]));
+                store.put(arguments[1], "there");
+            });
+            // At the exit, the platform reads and writes the node at the same time.
+            Await.until("the writing", () -> node.get(arguments[1], "").equals("there"));
+            System.exit(0);
+        }
+    }
+
+    private static String add(Process process) throws IOException {
+        process.getOutputStream().close();
+        return JavaProcess.output(process);
+    }
+
+    private static Process startAdding(Path userRoot, String file) throws IOException {
+        return JavaProcess.builder(Adding.class.getName(), List.of(userRoot.toString(), file))
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+    }
+
+    @Test
+    void whatTwoProcessesHaveChangedIsKept(@TempDir Path userRoot) throws IOException {
+        add(startAdding(userRoot, "old"));
+        Process first = startAdding(userRoot, "a");
+        assertEquals(' ', first.getInputStream().read());
+        add(startAdding(userRoot, "b"));
+        add(first);
+        assertEquals("there there a b old .", add(startAdding(userRoot, "c")));
     }
 
     /** A process that prints the theme of its user, changes it and ends at once. */
