@@ -204,7 +204,7 @@ public final class ExportController implements WorkspaceListener {
                 }
                 file = selectFile("exportGif", ".gif");
             }
-            exports.start(file.get(), recording, () -> {}, () -> resumeRecording(ended));
+            start(file.get(), recording, () -> {}, () -> resumeRecording(ended));
         });
     }
 
@@ -249,7 +249,7 @@ public final class ExportController implements WorkspaceListener {
                 }
                 then.run();
             };
-            selectFile("exportGif", ".gif").ifPresent(file -> exports.start(file, recording, written, () -> {}));
+            selectFile("exportGif", ".gif").ifPresent(file -> start(file, recording, written, () -> {}));
         });
     }
 
@@ -331,20 +331,25 @@ public final class ExportController implements WorkspaceListener {
 
     /** Asks for a file and starts to write it. */
     private void write(String action, String ending, FileExport export) {
-        selectFile(action, ending).ifPresent(file -> exports.start(file, export, () -> {}, () -> {}));
+        selectFile(action, ending).ifPresent(file -> start(file, export, () -> {}, () -> {}));
     }
 
-    /** Asks for a file; returns none if the choice is cancelled, or if it is the file of the open scenario. */
+    /** Asks for a file; returns none if the choice is cancelled. */
     private Optional<Path> selectFile(String action, String ending) {
-        Optional<Path> file = fileSelector.apply(action, ending);
-        if (file.isPresent()
-                && LinkResolver.findConflict(workspace.file().stream().toList(), List.of(file.get()))
-                        .isPresent()) {
-            MessageException ownInput = new MessageException("", WriteProblem.OWN_INPUT.with(), null);
-            errorDialog.accept(RunningExports.failureText(file.get(), ownInput));
-            return Optional.empty();
-        }
-        return file;
+        return fileSelector.apply(action, ending);
+    }
+
+    /** Starts to write a file, which must not be that of the open scenario. */
+    private void start(Path file, FileExport export, Runnable then, Runnable otherwise) {
+        List<Path> inputs = workspace.file().stream().toList();
+        FileExport checked = (out, progress) -> {
+            // A slow disk may take long to say which file a link names.
+            if (LinkResolver.findConflict(inputs, List.of(file)).isPresent()) {
+                throw new MessageException("", WriteProblem.OWN_INPUT.with(), null);
+            }
+            export.write(out, progress);
+        };
+        exports.start(file, checked, then, otherwise);
     }
 
     private void showErrorDialog(String sentence) {

@@ -24,17 +24,24 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.instrument.StripChart;
 import faultline.gui.instrument.StripContent;
 import faultline.gui.theme.Theme;
+import faultline.io.ForwardingFileSystemProvider;
 import faultline.scenario.Scenario;
+import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.file.AccessMode;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -200,10 +207,50 @@ class ExportFilesTest {
         Await.until("the save", () -> written.remove(file));
         String scenario = Files.readString(file);
         runOnEdt(() -> action("exportSvg").actionPerformed(null));
+        Await.until("the failure", () -> !sentences.isEmpty());
         assertEquals(
                 List.of(file + " cannot be written: this is the open scenario itself; expected another file"),
                 sentences);
         assertEquals(scenario, Files.readString(file));
+    }
+
+    /** A disk may take long to answer. */
+    private static final class AskedFiles extends ForwardingFileSystemProvider {
+
+        private final Set<Boolean> askedByEventThread = ConcurrentHashMap.newKeySet();
+
+        @Override
+        public <A extends BasicFileAttributes> A readAttributes(Path path, Class<A> type, LinkOption... options)
+                throws IOException {
+            askedByEventThread.add(EventQueue.isDispatchThread());
+            return super.readAttributes(path, type, options);
+        }
+
+        @Override
+        public void checkAccess(Path path, AccessMode... modes) throws IOException {
+            askedByEventThread.add(EventQueue.isDispatchThread());
+            super.checkAccess(path, modes);
+        }
+    }
+
+    @Test
+    void theEventThreadDoesNotWaitForTheDisk() {
+        AskedFiles disk = new AskedFiles();
+        Path file = disk.forwarding(folder).resolve("out.svg");
+        UiAction export = callOnEdt(() -> new ExportController(
+                        canvas,
+                        workspace,
+                        canvas,
+                        (action, extension) -> Optional.of(file),
+                        written::add,
+                        new Notes(note -> {}, note -> {}, note -> {}, note -> {}))
+                .actions().stream()
+                        .filter(action -> action.key().equals("exportSvg"))
+                        .findFirst()
+                        .orElseThrow());
+        runOnEdt(() -> export.actionPerformed(null));
+        Await.until("the export", () -> written.equals(List.of(file)));
+        assertEquals(Set.of(false), disk.askedByEventThread);
     }
 
     /** Nobody reads the pipe, so a write to it would not end. */
