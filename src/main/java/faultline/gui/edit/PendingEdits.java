@@ -1,11 +1,15 @@
 package faultline.gui.edit;
 
 import faultline.control.ControllerSpec;
+import faultline.gui.change.ObstacleOrigins;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiFunction;
 
 /**
@@ -74,10 +78,32 @@ public final class PendingEdits {
 
     /** Returns obstacles of the newest frame as they will be after all pending commands, without removed ones. */
     public List<Obstacle> expected(List<Obstacle> obstacles) {
+        Map<String, List<Command>> commands = commandsByObstacle();
         return obstacles.stream()
-                .filter(obstacle -> !isRemoved(obstacle.id()))
-                .map(this::expected)
+                .flatMap(obstacle -> expected(obstacle, commands.getOrDefault(obstacle.id(), List.of())).stream())
                 .toList();
+    }
+
+    /** Returns the pending commands about obstacles by the id of the obstacle, each list in its order. */
+    private Map<String, List<Command>> commandsByObstacle() {
+        return applied(new HashMap<>(), (command, byObstacle) -> {
+            ObstacleOrigins.subject(command).ifPresent(id -> byObstacle
+                    .computeIfAbsent(id, first -> new ArrayList<>())
+                    .add(command));
+            return byObstacle;
+        });
+    }
+
+    /** Returns an obstacle after the commands about it; empty if it has been removed and not placed again. */
+    private static Optional<Obstacle> expected(Obstacle obstacle, List<Command> commands) {
+        Obstacle expected = obstacle;
+        boolean removed = false;
+        for (Command command : commands) {
+            removed =
+                    command instanceof Command.RemoveObstacle || removed && !(command instanceof Command.PlaceObstacle);
+            expected = changed(command, expected);
+        }
+        return removed ? Optional.empty() : Optional.of(expected);
     }
 
     /** Returns whether a pending command moves an obstacle. */
@@ -87,17 +113,6 @@ public final class PendingEdits {
                 (command, moved) -> moved
                         || command instanceof Command.MoveObstacle move
                                 && move.obstacle().equals(id));
-    }
-
-    private boolean isRemoved(String id) {
-        return applied(false, (command, removed) -> {
-            if (command instanceof Command.PlaceObstacle place) {
-                return removed && !place.obstacle().id().equals(id);
-            }
-            return removed
-                    || command instanceof Command.RemoveObstacle remove
-                            && remove.obstacle().equals(id);
-        });
     }
 
     private static Obstacle changed(Command command, Obstacle obstacle) {

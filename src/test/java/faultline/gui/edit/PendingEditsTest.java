@@ -2,6 +2,7 @@ package faultline.gui.edit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -11,7 +12,9 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import java.time.Duration;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class PendingEditsTest {
@@ -64,6 +67,26 @@ class PendingEditsTest {
         assertEquals(List.of(), pending.expected(List.of(BOX)));
         pending.add(List.of(new Command.PlaceObstacle(BOX)));
         assertEquals(List.of(BOX), pending.expected(List.of(BOX)), "placed again");
+    }
+
+    @Test
+    void aMoveDoesNotBringARemovedObstacleBack() {
+        pending.add(List.of(new Command.RemoveObstacle("box")));
+        pending.add(List.of(new Command.MoveObstacle("box", new Pose(2, 1, 0))));
+        assertEquals(List.of(), pending.expected(List.of(BOX)));
+    }
+
+    /** As when many obstacles are selected and moved by a key. */
+    @Test
+    void manyObstaclesWithAPendingCommandEachAreExpectedAtOnce() {
+        Pose moved = new Pose(2, 1, 0);
+        List<Obstacle> boxes =
+                IntStream.range(0, 40_000).mapToObj(i -> BOX.withId("box" + i)).toList();
+        pending.add(boxes.stream()
+                .<Command>map(box -> new Command.MoveObstacle(box.id(), moved))
+                .toList());
+        List<Obstacle> expected = assertTimeout(Duration.ofSeconds(8), () -> pending.expected(boxes));
+        assertEquals(boxes.stream().map(box -> box.withPose(moved)).toList(), expected);
     }
 
     private boolean isLeftOn() {
