@@ -220,7 +220,7 @@ final class CommandHandler {
         if (ObstacleSet.isOverlapping(body.box(), ObstacleGeometry.of(obstacle))) {
             return refused(command, Reason.OVERLAPS_ROBOT, obstacle.id());
         }
-        if (obstacle.isMoving() && countOthersMoving(obstacle.id()) >= spec.maxMoving()) {
+        if (obstacle.isMoving() && obstacles.countMovingExcept(obstacle.id()) >= spec.maxMoving()) {
             return refused(command, Reason.TOO_MANY_MOVING, Integer.toString(spec.maxMoving()));
         }
         if (obstacle.motion().isLoopTooShort()) {
@@ -232,12 +232,6 @@ final class CommandHandler {
                 .orElse(new Command.RemoveObstacle(obstacle.id()));
         obstacles.put(obstacle);
         return executed(command, inverse);
-    }
-
-    private long countOthersMoving(String id) {
-        return obstacles.moving().stream()
-                .filter(other -> !other.id().equals(id))
-                .count();
     }
 
     private CommandResult removeObstacle(Command.RemoveObstacle command) {

@@ -120,6 +120,11 @@ final class ObstacleSet {
         return moving;
     }
 
+    /** Returns the number of moving obstacles, without the one with an id if it moves. */
+    int countMovingExcept(String id) {
+        return moving.size() - (obstacles.get(id) instanceof MovingObstacle ? 1 : 0);
+    }
+
     /** Adds the static shapes near a point, and perhaps others. */
     void findStaticNear(double x, double y, double distance, CandidateBuffer found) {
         index.findNear(x, y, distance, found);
@@ -155,15 +160,16 @@ final class ObstacleSet {
 
     private void replace(PlacedObstacle old, PlacedObstacle placed) {
         obstacles.put(placed.id(), placed);
+        if (old instanceof MovingObstacle before && placed instanceof MovingObstacle after) {
+            moving.set(placeOf(before), after);
+            before.markRemoved();
+            return;
+        }
         if (old != null) {
             takeOut(old);
         }
         if (placed instanceof MovingObstacle mover) {
-            int at = moving.size();
-            while (at > 0 && moving.get(at - 1).order() > mover.order()) {
-                at--;
-            }
-            moving.add(at, mover);
+            moving.add(placeOf(mover), mover);
         } else {
             index.add(placed);
             version++;
@@ -177,12 +183,27 @@ final class ObstacleSet {
 
     private void takeOut(PlacedObstacle old) {
         if (old instanceof MovingObstacle mover) {
-            moving.remove(mover);
+            moving.remove(placeOf(mover));
             mover.markRemoved();
         } else {
             index.remove(old);
             version++;
         }
+    }
+
+    /** Returns the place of an obstacle among the moving ones, or where it must be added, by bisection. */
+    private int placeOf(MovingObstacle mover) {
+        int from = 0;
+        int to = moving.size();
+        while (from < to) {
+            int middle = (from + to) / 2;
+            if (moving.get(middle).order() < mover.order()) {
+                from = middle + 1;
+            } else {
+                to = middle;
+            }
+        }
+        return from;
     }
 
     /** Returns a distance from the centre of a body beyond which it touches nothing, metres. */

@@ -3,6 +3,7 @@ package faultline.world;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
@@ -163,5 +164,55 @@ class MovingObstaclesTest {
         assertAt(1, 0.25, world.snapshot().obstacles().get(1).pose().position());
         positionAfter(world, 1);
         assertAt(1, 0.25, world.snapshot().obstacles().get(1).pose().position());
+    }
+
+    @Test
+    void movingObstaclesKeepTheirOrderWhateverReplacesThem() {
+        ObstacleSet obstacles = new ObstacleSet(new WorldSpec(6, 4, false, 3, List.of()));
+        List<String> ids = List.of("a", "b", "c", "d", "e");
+        ids.forEach(id -> obstacles.put(named(id, true)));
+        for (String id : ids) {
+            MovingObstacle before = (MovingObstacle) obstacles.find(id).orElseThrow();
+            obstacles.put(named(id, true));
+            assertEquals(ids, movingIds(obstacles));
+            assertTrue(before.isRemoved());
+            obstacles.put(named(id, false));
+            assertEquals(ids.stream().filter(other -> !other.equals(id)).toList(), movingIds(obstacles));
+            assertEquals(4, obstacles.countMovingExcept(id));
+            obstacles.put(named(id, true));
+            assertEquals(ids, movingIds(obstacles));
+            assertEquals(4, obstacles.countMovingExcept(id));
+        }
+        assertEquals(5, obstacles.countMovingExcept("f"));
+        obstacles.remove(obstacles.find("b").orElseThrow());
+        assertEquals(List.of("a", "c", "d", "e"), movingIds(obstacles));
+    }
+
+    private static Obstacle named(String id, boolean moving) {
+        WaypointPath motion = moving ? new WaypointPath(1, false, List.of(new Vector2(1, 0))) : WaypointPath.NONE;
+        return new Obstacle(id, new ObstacleShape.CircleShape(0.1), new Pose(0, 0, 0), motion);
+    }
+
+    private static List<String> movingIds(ObstacleSet obstacles) {
+        return obstacles.moving().stream().map(MovingObstacle::id).toList();
+    }
+
+    @Test
+    void puttingManyMovingObstaclesNeedsTimeInProportionToTheirNumber() {
+        int count = 40_000;
+        World world =
+                new World(new WorldSpec(6, 4, false, count, List.of()), RobotSpec.DEFAULT, new Pose(3, 3, 0), TICK, 1);
+        CpuTime time = CpuTime.start();
+        for (int i = 0; i < 2 * count; i++) {
+            CommandResult result = world.execute(new Command.PlaceObstacle(named("a" + i % count, true)));
+            assertEquals(Optional.empty(), result.refusal());
+        }
+        assertEquals(
+                Refusal.Reason.TOO_MANY_MOVING,
+                world.execute(new Command.PlaceObstacle(named("b", true)))
+                        .refusal()
+                        .orElseThrow()
+                        .reason());
+        time.assertBelow(3);
     }
 }
