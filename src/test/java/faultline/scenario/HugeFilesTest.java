@@ -43,6 +43,12 @@ class HugeFilesTest {
         return scenario(repeat(290_000, i -> "<circle id=\"c" + i + "\" z=\"" + i + "\"/>"), ROBOT, "");
     }
 
+    /** Returns a file of controllers with many unknown attributes whose names resemble known ones. */
+    private static String unknownAttributes(String at) {
+        String names = repeat(9980, i -> " turnAngle" + i + "=\"\"");
+        return scenario("", ROBOT, repeat(98, i -> "<controller" + at + names + "/>"));
+    }
+
     private static String sensors(int count) {
         return scenario(
                 "",
@@ -91,6 +97,14 @@ class HugeFilesTest {
                     "file.xml: more problems: 69900",
                     problemsOf(unknownIds()).get(Problems.MAX_LISTED).toString());
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongAttributes()).size());
+            assertEquals(
+                    "file.xml: more problems: 977940",
+                    problemsOf(unknownAttributes(" at=\"1\""))
+                            .get(Problems.MAX_LISTED)
+                            .toString());
+            assertEquals(
+                    "file.xml: more problems: 978038",
+                    problemsOf(unknownAttributes("")).get(Problems.MAX_LISTED).toString());
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongFaults()).size());
             assertEquals(
                     "<robot> has too many sensors; expected at most 1008",

@@ -320,7 +320,10 @@ public final class AttributeReader {
                             node.name(),
                             MessageText.excerpt(name),
                             requested.isEmpty() ? Allowed.NONE.with() : Allowed.names(requested, name)));
-            DidYouMean.nearest(name, requested).ifPresent(missing::remove);
+            // The few missing names come first: a comparison with all names takes long in a file of unknown attributes.
+            if (DidYouMean.nearest(name, missing.keySet()).isPresent()) {
+                DidYouMean.nearest(name, requested).ifPresent(missing::remove);
+            }
         });
         missing.forEach((name, allowed) ->
                 problems.add(node, () -> ProblemKind.MISSING_ATTRIBUTE.with(node.name(), name, allowed.get())));
