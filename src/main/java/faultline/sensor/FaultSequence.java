@@ -1,62 +1,106 @@
 package faultline.sensor;
 
+import java.lang.ref.SoftReference;
 import java.util.AbstractList;
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.RandomAccess;
 
 /**
- * Active faults, oldest first: an immutable list whose copy with one more fault shares its storage, so that many faults
- * that are added one by one need no more time and memory than their number. Safe for use by several threads.
+ * Active faults, oldest first: an immutable list whose copy with one fault more or fewer shares its storage, so that
+ * many faults that are added and removed one by one need no more time and memory than their number. Safe for use by
+ * several threads.
  *
  * @param <F> the type of the faults
  */
 public final class FaultSequence<F> extends AbstractList<F> implements RandomAccess {
 
     /**
-     * The faults of the sequences that share it. A place is written once, before a sequence that contains it exists,
-     * for one of the sequences that end before it.
+     * The history of the sequences that share it: the faults in the order in which they were added, and the places of
+     * those that were removed, in the order of their removal. Only the newest sequence is continued, so a sequence is
+     * what the first additions and removals leave. What a sequence uses is written before it exists and never changes.
      */
     private static final class Storage {
         private Object[] faults;
-        private int size;
+        private int end;
+        private int[] removed = new int[0];
+        private int removals;
+        /** The number of removals that took the oldest fault, from the first place on. */
+        private int leading;
+        /** The places of the faults that are left, oldest first; null until a fault is to be removed. */
+        private Map<Object, Queue<Integer>> places;
 
         Storage(Object[] faults) {
             this.faults = faults;
-            this.size = faults.length;
+            this.end = faults.length;
         }
 
-        /** Returns an array with a fault at a place, after those before it; null if the place is taken. */
-        synchronized Object[] add(int place, Object fault) {
-            if (place != size) {
-                return null;
+        void add(Object fault) {
+            if (end == faults.length) {
+                faults = Arrays.copyOf(faults, Math.max(4, 2 * end));
             }
-            if (size == faults.length) {
-                faults = Arrays.copyOf(faults, Math.max(4, 2 * size));
+            faults[end] = fault;
+            if (places != null) {
+                addPlace(end);
             }
-            faults[size++] = fault;
-            return faults;
+            end++;
+        }
+
+        private void addPlace(int place) {
+            places.computeIfAbsent(faults[place], fault -> new ArrayDeque<>(1)).add(place);
+        }
+
+        /** Removes the oldest of equal faults, and returns whether there is one. */
+        boolean remove(Object fault) {
+            if (places == null) {
+                places = new HashMap<>();
+                for (int place = 0; place < end; place++) {
+                    addPlace(place);
+                }
+            }
+            Queue<Integer> equal = places.get(fault);
+            if (equal == null) {
+                return false;
+            }
+            if (removals == removed.length) {
+                removed = Arrays.copyOf(removed, Math.max(4, 2 * removals));
+            }
+            int place = equal.remove();
+            removed[removals++] = place;
+            leading += place == leading ? 1 : 0;
+            if (equal.isEmpty()) {
+                places.remove(fault);
+            }
+            return true;
         }
     }
 
     private final Storage storage;
-    /** The array of the storage when this sequence was made; a longer one may have replaced it. */
+    /** The arrays of the storage when this sequence was made; longer ones may have replaced them. */
     private final Object[] faults;
 
-    private final int from;
-    private final int to;
+    private final int[] removed;
+    private final int end;
+    private final int removals;
+    private final int leading;
+    /** The faults that are left; made when they are read, and again after memory was short. */
+    private volatile SoftReference<Object[]> left;
 
-    private FaultSequence(Storage storage, Object[] faults, int from, int to) {
+    /** Creates the newest sequence of a storage, whose lock is held if others share it. */
+    private FaultSequence(Storage storage) {
         this.storage = storage;
-        this.faults = faults;
-        this.from = from;
-        this.to = to;
-    }
-
-    private static <F> FaultSequence<F> ofArray(Object[] faults) {
-        return new FaultSequence<>(new Storage(faults), faults, 0, faults.length);
+        this.faults = storage.faults;
+        this.removed = storage.removed;
+        this.end = storage.end;
+        this.removals = storage.removals;
+        this.leading = storage.leading;
     }
 
     /**
@@ -65,7 +109,7 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
      * @param <F> the type of the faults
      */
     public static <F> FaultSequence<F> empty() {
-        return ofArray(new Object[0]);
+        return new FaultSequence<>(new Storage(new Object[0]));
     }
 
     /**
@@ -78,7 +122,7 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
         // A list of the JDK refuses null.
         return faults instanceof FaultSequence<F> sequence
                 ? sequence
-                : ofArray(List.copyOf(faults).toArray());
+                : new FaultSequence<>(new Storage(List.copyOf(faults).toArray()));
     }
 
     /**
@@ -87,14 +131,19 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
      * @param fault the newer fault
      */
     public FaultSequence<F> with(F fault) {
-        // Places of faults that were removed are left behind when they are more than the others. An empty sequence may
-        // be a constant, so it shares nothing: it must not keep the faults that are added to it.
-        Object[] shared = from < to && 2 * from <= to ? storage.add(to, fault) : null;
-        if (shared != null) {
-            return new FaultSequence<>(storage, shared, from, to + 1);
+        // Faults that were removed are left behind when they are more than the others. An empty sequence may be a
+        // constant, so it shares nothing: it must not keep the faults that are added to it.
+        if (!isEmpty() && 2 * removals <= end) {
+            synchronized (storage) {
+                if (isNewest()) {
+                    storage.add(fault);
+                    return new FaultSequence<>(storage);
+                }
+            }
         }
         Storage own = new Storage(toArray());
-        return new FaultSequence<>(own, own.add(size(), fault), 0, size() + 1);
+        own.add(fault);
+        return new FaultSequence<>(own);
     }
 
     /**
@@ -103,33 +152,55 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
      * @param fault the fault
      */
     public Optional<FaultSequence<F>> without(F fault) {
-        int place = from;
-        while (place < to && !fault.equals(faults[place])) {
-            place++;
+        synchronized (storage) {
+            if (isNewest()) {
+                return remove(storage, fault);
+            }
         }
-        if (place == to) {
-            return Optional.empty();
-        }
-        if (place == from) {
-            return Optional.of(new FaultSequence<>(storage, faults, from + 1, to));
-        }
-        if (place == to - 1) {
-            return Optional.of(new FaultSequence<>(storage, faults, from, to - 1));
-        }
-        Object[] others = new Object[size() - 1];
-        System.arraycopy(faults, from, others, 0, place - from);
-        System.arraycopy(faults, place + 1, others, place - from, to - place - 1);
-        return Optional.of(ofArray(others));
+        return remove(new Storage(toArray()), fault);
+    }
+
+    private static <F> Optional<FaultSequence<F>> remove(Storage storage, F fault) {
+        return storage.remove(fault) ? Optional.of(new FaultSequence<>(storage)) : Optional.empty();
+    }
+
+    private boolean isNewest() {
+        return end == storage.end && removals == storage.removals;
     }
 
     @Override
     @SuppressWarnings("unchecked") // only faults of this type are stored
     public F get(int index) {
-        return (F) faults[from + Objects.checkIndex(index, size())];
+        Objects.checkIndex(index, size());
+        return (F) (leading == removals ? faults[leading + index] : left()[index]);
+    }
+
+    private Object[] left() {
+        SoftReference<Object[]> known = left;
+        Object[] array = known == null ? null : known.get();
+        if (array == null) {
+            array = findLeft();
+            left = new SoftReference<>(array);
+        }
+        return array;
+    }
+
+    private Object[] findLeft() {
+        BitSet gone = new BitSet(end);
+        for (int i = 0; i < removals; i++) {
+            gone.set(removed[i]);
+        }
+        Object[] array = new Object[size()];
+        int place = -1;
+        for (int i = 0; i < array.length; i++) {
+            place = gone.nextClearBit(place + 1);
+            array[i] = faults[place];
+        }
+        return array;
     }
 
     @Override
     public int size() {
-        return to - from;
+        return end - removals;
     }
 }

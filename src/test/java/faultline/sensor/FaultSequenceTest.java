@@ -117,4 +117,44 @@ class FaultSequenceTest {
         assertEquals(100_000, active.size());
         time.assertBelow(2);
     }
+
+    /** A file may end and begin a fault many times in one tick while others are active. */
+    @Test
+    void removingAnyFaultOfManyNeedsTheSameTime() {
+        CpuTime time = CpuTime.start();
+        FaultSequence<Integer> active = FaultSequence.empty();
+        for (int i = 0; i < 100_000; i++) {
+            active = active.with(i);
+        }
+        FaultSequence<Integer> before = active;
+        for (int i = 0; i < 60_000; i++) {
+            active = active.without(99_999).orElseThrow().with(99_999);
+            active = active.without(50_000).orElseThrow().with(50_000);
+        }
+        time.assertBelow(2);
+        List<Integer> expected = new ArrayList<>(before);
+        expected.remove((Integer) 50_000);
+        expected.add(50_000);
+        assertEquals(expected, active);
+        assertEquals(50_001, before.get(50_001));
+        assertEquals(Optional.empty(), active.without(100_000));
+    }
+
+    @Test
+    void theLastFaultIsRemovedOnce() {
+        FaultSequence<Integer> none =
+                FaultSequence.<Integer>empty().with(7).without(7).orElseThrow();
+        assertEquals(List.of(), none);
+        assertEquals(Optional.empty(), none.without(7));
+        assertEquals(List.of(8), none.with(8));
+    }
+
+    @Test
+    void aFaultThatBeginsAfterAVainRemovalCanBeRemoved() {
+        FaultSequence<Integer> one = FaultSequence.copyOf(List.of(1));
+        assertEquals(Optional.empty(), one.without(2));
+        FaultSequence<Integer> two = one.with(2);
+        assertEquals(Optional.of(List.of(1)), two.without(2));
+        assertEquals(List.of(1, 2), two);
+    }
 }
