@@ -22,6 +22,15 @@ final class GridIndex implements SpatialIndex {
     /** A segment whose box touches more cells than this is kept only in those that it may touch itself. */
     private static final int MAX_BOX_CELLS = 4;
 
+    /** A segment that is farther than this from the centre of a cell, in sides, does not touch it. */
+    private static final double TOUCH_RADIUS = 0.75;
+
+    /** The radius and one cell more than rounding needs, in sides of a cell. */
+    private static final double COLUMN_MARGIN = TOUCH_RADIUS + 1;
+
+    /** In a box with more columns than this, only those that the segment crosses are tested in each row. */
+    private static final int MAX_TESTED_COLUMNS = 8;
+
     private final ConvexShape[] shapes;
     private final ShapeOwner[] owners;
     private final double[] minX;
@@ -142,17 +151,44 @@ final class GridIndex implements SpatialIndex {
         int lastColumn = column(maxX[shape]);
         boolean testCells = (lastRow - firstRow + 1L) * (lastColumn - firstColumn + 1L) > MAX_BOX_CELLS
                 && shapes[shape] instanceof Segment;
+        if (testCells && lastColumn - firstColumn >= MAX_TESTED_COLUMNS && firstRow < lastRow) {
+            return visitCrossed(shape, counters, target);
+        }
         int cells = 0;
         for (int row = firstRow; row <= lastRow; row++) {
-            for (int column = firstColumn; column <= lastColumn; column++) {
-                if (!testCells || mayTouch(shape, column, row)) {
-                    int cell = row * columns + column;
-                    if (target != null) {
-                        target[counters[cell]] = shape;
-                    }
-                    counters[cell]++;
-                    cells++;
+            cells += visitRow(shape, row, firstColumn, lastColumn, testCells, counters, target);
+        }
+        return cells;
+    }
+
+    /** Visits the same cells for a long segment in several rows, but tests only those near it in each row. */
+    private int visitCrossed(int shape, int[] counters, int[] target) {
+        Segment segment = (Segment) shapes[shape];
+        int firstColumn = column(minX[shape]);
+        int lastColumn = column(maxX[shape]);
+        int lastRow = row(maxY[shape]);
+        int cells = 0;
+        for (int row = row(minY[shape]); row <= lastRow; row++) {
+            double atBottom = xAt(segment, bottom + (row + 0.5 - TOUCH_RADIUS) * cellSize);
+            double atTop = xAt(segment, bottom + (row + 0.5 + TOUCH_RADIUS) * cellSize);
+            int from = column(Math.min(atBottom, atTop) - COLUMN_MARGIN * cellSize);
+            int to = column(Math.max(atBottom, atTop) + COLUMN_MARGIN * cellSize);
+            cells +=
+                    visitRow(shape, row, Math.max(firstColumn, from), Math.min(lastColumn, to), true, counters, target);
+        }
+        return cells;
+    }
+
+    private int visitRow(int shape, int row, int from, int to, boolean testCells, int[] counters, int[] target) {
+        int cells = 0;
+        for (int column = from; column <= to; column++) {
+            if (!testCells || mayTouch(shape, column, row)) {
+                int cell = row * columns + column;
+                if (target != null) {
+                    target[counters[cell]] = shape;
                 }
+                counters[cell]++;
+                cells++;
             }
         }
         return cells;
@@ -161,7 +197,13 @@ final class GridIndex implements SpatialIndex {
     private boolean mayTouch(int shape, int column, int row) {
         double x = left + (column + 0.5) * cellSize;
         double y = bottom + (row + 0.5) * cellSize;
-        return shapes[shape].distanceTo(x, y) <= 0.75 * cellSize;
+        return shapes[shape].distanceTo(x, y) <= TOUCH_RADIUS * cellSize;
+    }
+
+    /** Returns x where a segment that is not horizontal crosses y, or x of its end nearer to that. */
+    private static double xAt(Segment segment, double y) {
+        double share = (y - segment.ay()) / (segment.by() - segment.ay());
+        return segment.ax() + Math.max(0, Math.min(1, share)) * (segment.bx() - segment.ax());
     }
 
     private int column(double x) {

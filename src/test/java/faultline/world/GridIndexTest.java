@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Disc;
 import faultline.geometry.Ellipse;
@@ -163,5 +164,57 @@ class GridIndexTest {
         CandidateBuffer found = new CandidateBuffer();
         new GridIndex(new CandidateBuffer()).findNear(0, 0, 1, found);
         assertEquals(0, found.size());
+    }
+
+    /** Returns segments that are long for their cells: of any slope, nearly horizontal, vertical, and on borders. */
+    private static CandidateBuffer longSegments(SplittableRandom random, int size) {
+        CandidateBuffer all = new CandidateBuffer();
+        for (int i = 0; i < size; i++) {
+            double x = 0.4 * random.nextInt(-200, 200) + random.nextInt(2) * random.nextDouble(0.4);
+            double y = 0.4 * random.nextInt(-200, 200) + random.nextInt(2) * random.nextDouble(0.4);
+            double length = random.nextDouble(1, 150) * (random.nextBoolean() ? 1 : -1);
+            double tilt = StrictMath.pow(10, random.nextDouble(-16, 1)) * (random.nextBoolean() ? 1 : -1);
+            all.add(
+                    switch (random.nextInt(4)) {
+                        case 0 -> new Segment(x, y, x + length, y + tilt * length);
+                        case 1 -> new Segment(x, y, x + tilt * length, y + length);
+                        case 2 -> new Segment(x, y, x + length, y + length);
+                        default -> new Segment(x, y, x + length, y + random.nextInt(-1, 2) * 0.4);
+                    },
+                    owner(i));
+        }
+        return all;
+    }
+
+    @Test
+    void itFindsWhatBruteForceFindsAlongLongSegments() {
+        SplittableRandom random = new SplittableRandom(65);
+        for (int scene = 0; scene < 60; scene++) {
+            CandidateBuffer all = longSegments(random, random.nextInt(1, 120));
+            SpatialIndex grid = new GridIndex(all);
+            for (int look = 0; look < 200; look++) {
+                Segment segment = (Segment) all.shape(random.nextInt(all.size()));
+                Vector2 point = segment.pointAt(random.nextDouble(-0.01, 1.01))
+                        .plus(Vector2.direction(random.nextDouble(7)).times(random.nextDouble(1)));
+                double distance = random.nextDouble(1.1);
+                CandidateBuffer found = new CandidateBuffer();
+                grid.findNear(point.x(), point.y(), distance, found);
+                assertEquals(
+                        within(all, point, distance),
+                        within(found, point, distance),
+                        "scene " + scene + ", distance " + distance + " from " + point);
+            }
+        }
+    }
+
+    @Test
+    void manyLongSegmentsNeedTimeInProportionToTheCellsThatTheyCross() {
+        CandidateBuffer all = new CandidateBuffer();
+        for (int i = 0; i < 100_000; i++) {
+            all.add(new Segment(0, 2e-4 * i, 500, 490 + 1e-4 * i), owner(i));
+        }
+        CpuTime time = CpuTime.start();
+        assertEquals(100_000, new GridIndex(all).size());
+        time.assertBelow(2);
     }
 }
