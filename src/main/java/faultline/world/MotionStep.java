@@ -8,7 +8,9 @@ import faultline.geometry.Vector2;
 import faultline.robot.Velocity;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -26,6 +28,40 @@ final class MotionStep {
      * @param points the contact points, at least one
      */
     record Contact(double time, String obstacle, List<Vector2> points) {}
+
+    /** Points with at least a distance between them. Those in other cells than a point and its neighbours are far. */
+    static final class DistinctPoints {
+        private static final double MIN_DISTANCE = 1e-8;
+        /** Twice the distance, so that rounding does not make a neighbour of a neighbour near. */
+        private static final double CELL_SIZE = 2 * MIN_DISTANCE;
+
+        private record PointCell(long column, long row) {}
+
+        private final List<Vector2> points = new ArrayList<>();
+        private final Map<PointCell, List<Vector2>> cells = new HashMap<>();
+
+        /** Returns the points in the order in which they were added. */
+        List<Vector2> points() {
+            return points;
+        }
+
+        /** Adds a point if it is not too near to one that was added before. */
+        void add(Vector2 point) {
+            long column = (long) Math.floor(point.x() / CELL_SIZE);
+            long row = (long) Math.floor(point.y() / CELL_SIZE);
+            for (int i = 0; i < 9; i++) {
+                PointCell near = new PointCell(column + i % 3 - 1, row + i / 3 - 1);
+                for (Vector2 other : cells.getOrDefault(near, List.of())) {
+                    if (other.distanceTo(point) < MIN_DISTANCE) {
+                        return;
+                    }
+                }
+            }
+            cells.computeIfAbsent(new PointCell(column, row), cell -> new ArrayList<>(1))
+                    .add(point);
+            points.add(point);
+        }
+    }
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -180,15 +216,11 @@ final class MotionStep {
 
     /** Returns the distinct points where the body touches the shapes of an owner, in the order of the shapes. */
     private List<Vector2> contactPoints(ShapeOwner owner) {
-        List<Vector2> distinct = new ArrayList<>();
+        DistinctPoints distinct = new DistinctPoints();
         for (ConvexShape shape : shapesOf(owner)) {
-            for (Vector2 point : body.contactPoints(shape)) {
-                if (distinct.stream().noneMatch(other -> other.distanceTo(point) < 1e-8)) {
-                    distinct.add(point);
-                }
-            }
+            body.contactPoints(shape).forEach(distinct::add);
         }
-        return distinct;
+        return distinct.points();
     }
 
     private List<ConvexShape> shapesOf(ShapeOwner owner) {
