@@ -108,8 +108,8 @@ public final class FaultContext {
     }
 
     /**
-     * Returns whether there is a burst now: bursts begin at a rate and end after a mean length, also while the sensor
-     * is off and its faults are not applied.
+     * Returns whether there is a burst now: bursts begin at a rate, at most in each tick, and end after a mean length,
+     * at least one tick, also while the sensor is off and its faults are not applied.
      */
     boolean inBurst(double rate, double length) {
         double uniform = random.nextDouble();

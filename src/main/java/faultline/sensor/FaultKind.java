@@ -38,7 +38,10 @@ public enum FaultKind implements FaultDescriptor<Fault> {
     /** Distances in coarse steps; the number is the step. */
     QUANTISED(Family.SHIFTED, "m", 0.001, 10, 0.05, (value, length) -> new SignalFault.Quantised(value)),
 
-    /** Sees nothing in bursts; the number is the rate at which they begin, the length is their mean duration. */
+    /**
+     * Sees nothing in bursts; the number is the rate at which they begin, the length is their mean duration, which is
+     * at least one tick.
+     */
     BURSTS(Family.INTERMITTENT, "1/s", 0, 100, 0.5, SignalFault.Bursts::new),
 
     /** Reports late; the number is the delay. */

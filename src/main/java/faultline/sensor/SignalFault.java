@@ -105,7 +105,8 @@ public final class SignalFault {
     }
 
     /**
-     * Sees nothing in bursts, a two-state Markov chain (Gilbert 1960): file kind {@code bursts}.
+     * Sees nothing in bursts, a two-state Markov chain (Gilbert 1960): file kind {@code bursts}. A burst lasts at least
+     * one tick, so a shorter mean length counts as one tick, and a rate above one burst a tick as one a tick.
      *
      * @param value the rate at which bursts begin, per second outside bursts
      * @param length the mean length of a burst, seconds, positive
