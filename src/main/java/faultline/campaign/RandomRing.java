@@ -7,8 +7,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Random rings of walls, counter-clockwise: star-shaped ones, and ones of right angles with an alcove or a bump on each
- * side.
+ * Random rings of walls, counter-clockwise: star-shaped ones of 4 to 9 walls, and rectangles. Rings of right angles
+ * with an alcove or a bump are drawn and refused: their outer corners are less than a passage away from another wall.
+ * They are still drawn so that the numbers of rooms keep their rooms.
  */
 final class RandomRing {
 
@@ -56,6 +57,7 @@ final class RandomRing {
         return ring;
     }
 
+    /** Returns a ring of right angles, of which only a rectangle is accepted. */
     private static List<Vector2> rectilinear(SplittableRandom random) {
         double halfWidth = random.nextDouble(2, 3.2);
         double halfHeight = random.nextDouble(2, 3.2);
@@ -67,6 +69,7 @@ final class RandomRing {
             if (random.nextBoolean()) {
                 double from = random.nextDouble(-half + 0.9, -0.45);
                 double to = random.nextDouble(0.45, half - 0.9);
+                // The depth of an alcove or a bump is always less than the width of a passage.
                 double step = random.nextDouble(0.5, 0.9) * (random.nextBoolean() ? 1 : -1);
                 add(ring, from, -out, side);
                 add(ring, from, -out + step, side);
