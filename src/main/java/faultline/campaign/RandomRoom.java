@@ -12,18 +12,18 @@ import java.util.SplittableRandom;
 
 /**
  * A random room: a ring of walls with inner corners of at most 150 degrees and outer corners, furniture, poles and
- * visitors. No passage is narrower than {@link #PASSAGE}; obstacles at a wall touch it. The same seed gives the same
- * room, and the same room with other visitors.
+ * visitors. No passage is narrower than {@link #PASSAGE}, to 1 mm; obstacles at a wall touch it. The same seed gives
+ * the same room, and the same room with other visitors.
  *
  * @param world the walls and all obstacles
- * @param start the initial pose of the robot, at least {@link #START_CLEARANCE} from everything
+ * @param start the initial pose of the robot, at least {@link #START_CLEARANCE} from everything, to 1 mm
  */
 public record RandomRoom(WorldSpec world, Pose start) {
 
     /** The width of the narrowest passage, metres. */
     public static final double PASSAGE = 0.9;
 
-    /** The distance from the start to the nearest wall, metres. */
+    /** The minimum distance from the start to everything, metres. */
     public static final double START_CLEARANCE = 0.45;
 
     /** The width and the height of the world, metres. */

@@ -11,7 +11,10 @@ import java.util.List;
 /** A room that is being furnished: the positions of its obstacles and the distances between them. */
 final class RoomPlan {
 
-    /** The distance between the points at which outlines are compared, metres. */
+    /**
+     * The distance between the points at which outlines are compared, metres. A point is up to half of it aside from
+     * the nearest place of a side, so a distance of 0.45 m seems at most 0.7 mm longer than it is.
+     */
     private static final double SPACING = 0.05;
 
     private final List<Vector2> ring;
