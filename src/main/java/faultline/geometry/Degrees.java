@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 
 /**
  * Converts between degrees, used in files and windows, and radians, used in the code. Both conversions are correctly
@@ -24,12 +25,14 @@ public final class Degrees {
     private Degrees() {}
 
     /**
-     * {@return the number of radians nearest to a finite number of degrees}
+     * {@return the number of radians nearest to the shortest decimal number of degrees that rounds to a finite double}
+     * This is the result for the text 0.1 if the double is 0.1. It does not depend on the JDK, while
+     * {@link Double#toString(double)} does.
      *
      * @param degrees the number of degrees, finite
      */
     public static double toRadians(double degrees) {
-        return toRadians(new BigDecimal(Double.toString(degrees)));
+        return toRadians(shortest(new BigDecimal(degrees), rounded -> rounded.doubleValue() == degrees));
     }
 
     /**
@@ -64,14 +67,18 @@ public final class Degrees {
     public static String toText(double radians) {
         BigDecimal exact =
                 new BigDecimal(radians).multiply(HALF_TURN).divide(PI, new MathContext(40, RoundingMode.HALF_EVEN));
+        BigDecimal degrees = shortest(exact, rounded -> convert(rounded) == radians);
+        return degrees.signum() == 0 ? "0" : degrees.stripTrailingZeros().toPlainString();
+    }
+
+    /** Returns a number rounded to as few digits as a condition allows, or the number itself. */
+    private static BigDecimal shortest(BigDecimal exact, Predicate<BigDecimal> condition) {
         for (int digits = 1; digits < MAX_DIGITS; digits++) {
             BigDecimal rounded = exact.round(new MathContext(digits, RoundingMode.HALF_EVEN));
-            if (convert(rounded) == radians) {
-                return rounded.signum() == 0
-                        ? "0"
-                        : rounded.stripTrailingZeros().toPlainString();
+            if (condition.test(rounded)) {
+                return rounded;
             }
         }
-        return exact.stripTrailingZeros().toPlainString();
+        return exact;
     }
 }

@@ -40,7 +40,16 @@ class DegreesTest {
         Degrees.toText(0.123456789);
         assertEquals(Set.of(), Degrees.KNOWN_RADIANS.keySet());
         Degrees.toRadians(45);
-        assertEquals(Set.of(new BigDecimal("45.0")), Degrees.KNOWN_RADIANS.keySet());
+        assertEquals(Set.of(new BigDecimal("45")), Degrees.KNOWN_RADIANS.keySet());
+    }
+
+    /** JDKs before 19 write 2.8421709430404007E-14 and 4.6566128730773926E-10. */
+    @Test
+    void theShortestTextOfANumberOfDegreesCountsOnEveryJdk() {
+        assertEquals(Degrees.toRadians(new BigDecimal("2.842170943040401E-14")), Degrees.toRadians(0x1.0p-45));
+        assertEquals(Degrees.toRadians(new BigDecimal("4.656612873077393E-10")), Degrees.toRadians(0x1.0p-31));
+        assertEquals(Degrees.toRadians(new BigDecimal("-0.1")), Degrees.toRadians(-0.1));
+        assertEquals(0, Degrees.toRadians(-0.0));
     }
 
     @Test
