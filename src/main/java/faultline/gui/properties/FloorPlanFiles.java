@@ -1,9 +1,11 @@
 package faultline.gui.properties;
 
 import faultline.floorplan.FloorPlan;
+import faultline.floorplan.FloorPlanException;
 import faultline.floorplan.FloorPlanScenario;
 import faultline.floorplan.MapDescription;
 import faultline.geometry.Pose;
+import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.io.Message;
 import faultline.scenario.Scenario;
@@ -30,8 +32,11 @@ public final class FloorPlanFiles {
     /** How an image is read: the side of a pixel, metres, and which pixels are solid from which occupancy on. */
     record ImagePixels(double resolution, boolean whiteIsOccupied, double threshold) {}
 
-    /** A floor plan, the scenario that is made of it, and notes on the map file. */
-    record ImportedPlan(FloorPlan plan, Scenario scenario, List<Message> notes) {}
+    /**
+     * A floor plan, the scenario that is made of it, notes on the map file, and a sentence that says that the robot has
+     * no room in the plan; empty if it has. Without room, the robot of the scenario is at the origin.
+     */
+    record ImportedPlan(FloorPlan plan, Scenario scenario, List<Message> notes, String noRoom) {}
 
     /**
      * Reads a floor plan; takes some time.
@@ -49,10 +54,16 @@ public final class FloorPlanFiles {
                                 .withOccupied(pixels.whiteIsOccupied(), pixels.threshold()),
                         options);
         String name = FloorPlanScenario.nameFor(file);
-        Scenario scenario = start == null
-                ? FloorPlanScenario.create(name, plan, helpfulSettings(file))
-                : FloorPlanScenario.create(name, plan, start);
-        return new ImportedPlan(plan, scenario, FloorPlan.isYaml(file) ? FloorPlan.readNotes(file) : List.of());
+        List<Message> notes = FloorPlan.isYaml(file) ? FloorPlan.readNotes(file) : List.of();
+        if (start != null) {
+            return new ImportedPlan(plan, FloorPlanScenario.create(name, plan, start), notes, "");
+        }
+        try {
+            return new ImportedPlan(plan, FloorPlanScenario.create(name, plan, helpfulSettings(file)), notes, "");
+        } catch (FloorPlanException noRoom) {
+            Scenario withoutRoom = FloorPlanScenario.create(name, plan, new Pose(0, 0, 0));
+            return new ImportedPlan(plan, withoutRoom, notes, ErrorMessages.describeAsSentence(noRoom, file));
+        }
     }
 
     /** Returns what may help if the robot has no room in the plan. */

@@ -21,12 +21,14 @@ import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.scene.Layer;
 import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Graphics2D;
 import java.awt.GridBagLayout;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -197,14 +199,28 @@ public final class ImportForm extends JPanel {
     private static Preview preview(FloorPlanFiles.ImportedPlan read, Palette palette) {
         try (Simulation simulation = new Simulation(read.scenario().setup(), ControllerMode.DIRECT)) {
             Camera camera = FrameRenderer.fitCamera(simulation.snapshot(), PREVIEW_SIZE.width, PREVIEW_SIZE.height);
-            BufferedImage image =
-                    new RenderRequest(simulation.frame(), camera, palette, EnumSet.of(Layer.CONES)).toImage(1);
-            return new Preview(
-                    read,
-                    image,
-                    camera,
-                    PropertiesForm.findObstruction(read.scenario()).orElse(""));
+            RenderRequest request = new RenderRequest(simulation.frame(), camera, palette, EnumSet.of(Layer.CONES));
+            return read.noRoom().isEmpty()
+                    ? new Preview(
+                            read,
+                            request.toImage(1),
+                            camera,
+                            PropertiesForm.findObstruction(read.scenario()).orElse(""))
+                    : new Preview(read, groundImage(request), camera, read.noRoom());
         }
+    }
+
+    /** Renders a plan without a robot. */
+    private static BufferedImage groundImage(RenderRequest request) {
+        BufferedImage image = new BufferedImage(PREVIEW_SIZE.width, PREVIEW_SIZE.height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        try {
+            DrawContext context = new DrawContext(graphics, request.camera(), request.palette());
+            request.painter().paintGround(context, request.frame().snapshot());
+        } finally {
+            graphics.dispose();
+        }
+        return image;
     }
 
     private void end(int request, Runnable action) {

@@ -16,9 +16,11 @@ import faultline.gui.form.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -27,8 +29,10 @@ import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.swing.ImageIcon;
 import javax.swing.JCheckBox;
 import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
@@ -208,13 +212,17 @@ class ImportFormTest {
                 .anyMatch(field -> ComponentFinder.accessibleName(field).equals("Side of a pixel, m"))));
     }
 
-    @Test
-    void anImageWithLightWallsIsImported() throws IOException {
+    private Path writeLightWalls() throws IOException {
         String light = Stream.of(Files.readString(image).split("\\s+"))
                 .skip(4)
                 .map(value -> value.equals("0") ? "200" : "0")
                 .collect(Collectors.joining(" "));
-        Path white = Files.writeString(folder.resolve("white.pgm"), "P2 60 40 255\n" + light);
+        return Files.writeString(folder.resolve("white.pgm"), "P2 60 40 255\n" + light);
+    }
+
+    @Test
+    void anImageWithLightWallsIsImported() throws IOException {
+        Path white = writeLightWalls();
         ImportForm form = callOnEdt(() -> new ImportForm(white));
         awaitStatus(
                 form,
@@ -228,6 +236,28 @@ class ImportFormTest {
         runOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Wall threshold, 0 to 1")
                 .setValue(0.9));
         awaitStatus(form, "Cells: 60 × 40 (3.00 × 2.00 m), outlines: 0");
+    }
+
+    /** The outlines show which setting is wrong, and where the robot could start. */
+    @Test
+    void aPlanWithoutRoomIsShownWithoutARobot() throws IOException {
+        Path white = writeLightWalls();
+        ImportForm form = callOnEdt(() -> new ImportForm(white));
+        awaitStatus(form, "The robot, 0.25 m long and 0.2 m wide, has no room");
+        JLabel picture = callOnEdt(() -> ComponentFinder.find(form, JLabel.class, "Preview"));
+        BufferedImage shown = callOnEdt(() -> (BufferedImage) ((ImageIcon) picture.getIcon()).getImage());
+        Set<Integer> colours = Arrays.stream(
+                        shown.getRGB(0, 0, shown.getWidth(), shown.getHeight(), null, 0, shown.getWidth()))
+                .boxed()
+                .collect(Collectors.toSet());
+        assertTrue(colours.contains(Palette.LIGHT.obstacle().getRGB()));
+        assertFalse(colours.contains(Palette.LIGHT.robot().getRGB()));
+        runOnEdt(() -> {
+            picture.setSize(picture.getPreferredSize());
+            press(picture, MouseEvent.MOUSE_PRESSED, picture.getWidth() / 2, picture.getHeight() / 2);
+            press(picture, MouseEvent.MOUSE_RELEASED, picture.getWidth() / 2, picture.getHeight() / 2);
+        });
+        awaitStatus(form, "The robot cannot start there");
     }
 
     @Test
