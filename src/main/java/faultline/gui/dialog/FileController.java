@@ -186,11 +186,19 @@ public final class FileController {
         }
     }
 
-    /** Asks whether to discard a recording rather than save it; empty if the question is closed. */
+    /** Asks whether to discard a recording rather than save it; empty if the question is cancelled or closed. */
     public Optional<Boolean> askToDiscardRecording() {
         int answer = fileDialogs.showOptions(
-                "recording", Messages.get("recording.question"), "recording.save", "recording.discard");
-        return answer < 0 ? Optional.empty() : Optional.of(answer == 1);
+                "recording",
+                Messages.get("recording.question"),
+                "recording.save",
+                "recording.discard",
+                "unsaved.cancel");
+        return switch (answer) {
+            case 0 -> Optional.of(false);
+            case 1 -> Optional.of(true);
+            default -> Optional.empty();
+        };
     }
 
     /** Sets what runs an action that leaves the scenario after a question of its own, or does not run it. */

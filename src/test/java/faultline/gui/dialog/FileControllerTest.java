@@ -187,6 +187,18 @@ class FileControllerTest {
         assertEquals(List.of("recording", "unsaved", "recording"), questions);
     }
 
+    /** The scenario stays open, and is still recorded. */
+    @Test
+    void theQuestionAboutARecordingCanBeCancelled() {
+        for (String answer : List.of("recording.save", "recording.discard", "unsaved.cancel")) {
+            answers = Set.of(answer);
+            Optional<Boolean> expected = answer.equals("unsaved.cancel")
+                    ? Optional.empty()
+                    : Optional.of(answer.equals("recording.discard"));
+            assertEquals(expected, callOnEdt(files::askToDiscardRecording), answer);
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({"office.xml, office.xml is open", "broken.xml, broken.xml was not opened"})
     void theFilesThatAreDroppedWithAnotherAreCounted(String first, String note) throws IOException {
