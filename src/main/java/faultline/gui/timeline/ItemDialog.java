@@ -36,6 +36,8 @@ final class ItemDialog {
     private final Supplier<Optional<Command>> details;
     /** The field that has the focus initially: the kind of a fault, which comes first, or else the start. */
     private final Component first;
+    /** The time that has been changed last, which is probably the wrong one if the end is before the start. */
+    private NumberSpinner changedLast = from;
 
     private ItemDialog(List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick, double newLength) {
         this.item = item;
@@ -69,6 +71,8 @@ final class ItemDialog {
             ends.setSelected(!item.isOpen());
             until.setEnabled(ends.isSelected());
             ends.addActionListener(event -> updateEnd());
+            from.addChangeListener(event -> changedLast = from);
+            until.addChangeListener(event -> changedLast = until);
         }
     }
 
@@ -110,7 +114,7 @@ final class ItemDialog {
             return refused;
         }
         return endsBeforeItStarts()
-                ? Optional.of(new FormDialog.FormProblem(Messages.get("timeline.order"), from.textField()))
+                ? Optional.of(new FormDialog.FormProblem(Messages.get("timeline.order"), changedLast.textField()))
                 : Optional.empty();
     }
 

@@ -150,6 +150,17 @@ class TimelineRobotTest {
     }
 
     @Test
+    void theTimeThatWasChangedLastIsToBeCorrected() {
+        openNewFault();
+        NumberSpinner end = ComponentFinder.find(driver.dialog(NEW_FAULT), NumberSpinner.class, "Until");
+        enterInto(end.textField(), KeyEvent.VK_0);
+        driver.robot().waitFor("the reason", () -> isShown("The end (\"Until\") must be after the start (\"From\")."));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the end has the focus", end.textField()::isFocusOwner);
+        driver.clickButton(NEW_FAULT, "Cancel");
+    }
+
+    @Test
     void anEndThatIsAddedToAFaultIsAfterItsStart() throws ScenarioException {
         openNewFault();
         JCheckBox ends = ComponentFinder.find(driver.dialog(NEW_FAULT), JCheckBox.class, "Until");
