@@ -91,6 +91,30 @@ public final class ValueSyntax {
     }
 
     /**
+     * {@return whether a text is a range whose first number is not the smaller one, so that it has no values}
+     *
+     * @param text the text
+     */
+    public static boolean isReversedRange(String text) {
+        Matcher interval = INTERVAL.matcher(text.strip());
+        return interval.matches()
+                && bounds(interval).filter(each -> !each.isAscending()).isPresent();
+    }
+
+    /** The bounds of a range. */
+    private record Bounds(BigDecimal from, BigDecimal to) {
+        boolean isAscending() {
+            return from.compareTo(to) < 0;
+        }
+    }
+
+    /** Returns the bounds of a range; empty if one is no number. */
+    private static Optional<Bounds> bounds(Matcher interval) {
+        return DecimalText.parse(interval.group(1))
+                .flatMap(from -> DecimalText.parse(interval.group(2)).map(to -> new Bounds(from, to)));
+    }
+
+    /**
      * {@return the values of an attribute, where a drawn value counts as one; empty if the text has none of the four
      * forms}
      *
@@ -225,9 +249,8 @@ public final class ValueSyntax {
     }
 
     private static Optional<List<AttributeValue>> parseInterval(Matcher interval, String stream) {
-        Optional<BigDecimal> from = DecimalText.parse(interval.group(1));
-        Optional<BigDecimal> to = DecimalText.parse(interval.group(2));
-        if (from.isEmpty() || to.isEmpty() || from.get().compareTo(to.get()) >= 0) {
+        Bounds bounds = bounds(interval).filter(Bounds::isAscending).orElse(null);
+        if (bounds == null) {
             return Optional.empty();
         }
         for (String bound : List.of(interval.group(1), interval.group(2))) {
@@ -238,12 +261,12 @@ public final class ValueSyntax {
         }
         if (interval.group(3) == null) {
             return Optional.of(
-                    List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Uniform(from.get(), to.get()))));
+                    List.of(new AttributeValue.DrawnValue(stream, new DrawRange.Uniform(bounds.from(), bounds.to()))));
         }
         int count = Integer.parseInt(interval.group(3));
         return count < 2 || count > MAX_VALUES
                 ? Optional.empty()
-                : Optional.of(new EvenlySpacedValues(from.get(), to.get(), count));
+                : Optional.of(new EvenlySpacedValues(bounds.from(), bounds.to(), count));
     }
 
     /** Evenly spaced values including both bounds, exact to twelve digits. Each is made when it is asked for. */

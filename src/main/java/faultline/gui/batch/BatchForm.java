@@ -1,6 +1,7 @@
 package faultline.gui.batch;
 
 import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.ValueSyntax;
 import faultline.campaign.run.CampaignRunner;
 import faultline.control.ControllerSpec;
 import faultline.external.ControllerChoice;
@@ -12,6 +13,7 @@ import faultline.gui.form.NumberSpinner;
 import faultline.gui.form.TitledSection;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextListener;
+import faultline.gui.theme.FieldBorder;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.UiText;
@@ -295,7 +297,11 @@ final class BatchForm extends JPanel {
             overruled.setText(OverruledChoice.describe(plan, !controllerChoice().isScenarioDefault()));
             overruled.setVisible(!overruled.getText().isEmpty());
             OptionalLong runs = plan.runCount();
-            count.setText(runs.isPresent() ? countText(runs.getAsLong()) : Messages.get("batch.invalid"));
+            faults.markInvalidFields();
+            FieldBorder.setValid(
+                    onset,
+                    plan.faults().isEmpty() || ValueSyntax.count(plan.onset()).isPresent());
+            count.setText(runs.isPresent() ? countText(runs.getAsLong()) : Messages.get(invalidKey()));
             remark.setText(plan.hasLateFaults() ? Messages.get("batch.lateFaults") : " ");
         }
     }
@@ -350,6 +356,23 @@ final class BatchForm extends JPanel {
                     ? Optional.of(new FormProblem(tooManyText(), seeds.textField()))
                     : Optional.empty();
         }
-        return Optional.of(FormProblem.ofText(faults.findInvalidField().orElse(onset)));
+        JTextField invalid = findInvalidField();
+        return Optional.of(
+                isReversedRange(invalid)
+                        ? FormProblem.ofText(invalid, Messages.get("batch.reversed"))
+                        : FormProblem.ofText(invalid));
+    }
+
+    /** Returns the first field whose text is not in the syntax of plans; there must be one. */
+    private JTextField findInvalidField() {
+        return faults.findInvalidField().orElse(onset);
+    }
+
+    private String invalidKey() {
+        return isReversedRange(findInvalidField()) ? "batch.reversed" : "batch.invalid";
+    }
+
+    private static boolean isReversedRange(JTextField field) {
+        return ValueSyntax.isReversedRange(field.getText());
     }
 }

@@ -5,6 +5,7 @@ import faultline.gui.form.FormConstraints;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.TextListener;
+import faultline.gui.theme.FieldBorder;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
@@ -141,9 +142,19 @@ final class FaultChoices extends JPanel {
     /** Returns the first field of a chosen kind whose text is not in the syntax of plans; empty if there is none. */
     Optional<JTextField> findInvalidField() {
         return rows.stream()
-                .filter(row -> row.box.isSelected() && row.kind.takesValue())
+                .filter(FaultChoices::isInvalid)
                 .map(FaultChoiceRow::value)
-                .filter(field -> ValueSyntax.count(field.getText().strip()).isEmpty())
                 .findFirst();
+    }
+
+    /** Shows which fields of chosen kinds have a text that is not in the syntax of plans. */
+    void markInvalidFields() {
+        rows.forEach(row -> FieldBorder.setValid(row.value, !isInvalid(row)));
+    }
+
+    private static boolean isInvalid(FaultChoiceRow row) {
+        return row.box.isSelected()
+                && row.kind.takesValue()
+                && ValueSyntax.count(row.value.getText().strip()).isEmpty();
     }
 }

@@ -47,11 +47,16 @@ public final class FormDialog {
     public record FormProblem(String sentence, Component field) {
         /** Returns that the text of a field is missing or not allowed; the tool tip of the field says what is. */
         public static FormProblem ofText(JTextField field) {
+            return ofText(field, field.getToolTipText());
+        }
+
+        /** Returns that the text of a field is missing or not allowed by a rule. */
+        public static FormProblem ofText(JTextField field, String rule) {
             String text = field.getText().strip();
             return new FormProblem(
                     text.isEmpty()
-                            ? Messages.get("number.missing", field.getToolTipText())
-                            : Messages.get("number.invalid", MessageText.excerpt(text), field.getToolTipText()),
+                            ? Messages.get("number.missing", rule)
+                            : Messages.get("number.invalid", MessageText.excerpt(text), rule),
                     field);
         }
     }

@@ -12,13 +12,17 @@ import java.awt.Shape;
 import java.awt.geom.Area;
 import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
+import javax.swing.JTextField;
 import javax.swing.border.AbstractBorder;
 
 /**
  * The rounded outline of a field, in the accent colour if the focus is inside, in the warning colour if the text is
  * invalid.
  */
-final class FieldBorder extends AbstractBorder {
+public final class FieldBorder extends AbstractBorder {
+
+    /** The key of the property of a field whose text is invalid. */
+    private static final String INVALID = "faultline.invalid";
 
     private final int vertical;
     private final int horizontal;
@@ -27,6 +31,12 @@ final class FieldBorder extends AbstractBorder {
     FieldBorder(int vertical, int horizontal) {
         this.vertical = vertical;
         this.horizontal = horizontal;
+    }
+
+    /** Shows whether the text of a field that is not formatted is valid. */
+    public static void setValid(JTextField field, boolean valid) {
+        field.putClientProperty(INVALID, valid ? null : true);
+        field.repaint();
     }
 
     @Override
@@ -56,11 +66,15 @@ final class FieldBorder extends AbstractBorder {
         return isFocused(field) ? colours.accent() : field.isEnabled() ? colours.border() : colours.line();
     }
 
-    private static boolean isValid(Component field) {
+    /** Returns whether the text of a field is valid. */
+    public static boolean isValid(Component field) {
         if (field instanceof JSpinner spinner && spinner.getEditor() instanceof JSpinner.DefaultEditor editor) {
             return editor.getTextField().isEditValid();
         }
-        return !(field instanceof JFormattedTextField text) || text.isEditValid();
+        if (field instanceof JFormattedTextField text) {
+            return text.isEditValid();
+        }
+        return !(field instanceof JTextField text) || text.getClientProperty(INVALID) == null;
     }
 
     private static boolean isFocused(Component field) {

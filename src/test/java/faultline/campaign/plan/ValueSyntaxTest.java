@@ -152,6 +152,21 @@ class ValueSyntaxTest {
         assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream", false));
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "0.8..0.2, true",
+        "' 4..1/3 ', true",
+        "1..1, true",
+        "1..2, false",
+        "a..2, false",
+        "3..b, false",
+        "3.., false",
+        "3 1, false"
+    })
+    void aRangeIsReversedUnlessItsFirstNumberIsTheSmallerOne(String text, boolean reversed) {
+        assertEquals(reversed, ValueSyntax.isReversedRange(text));
+    }
+
     private static Stream<String> longTexts() {
         return Stream.of("1..".repeat(20_000) + "/x", "any of" + " ".repeat(80_000) + "a\nb");
     }

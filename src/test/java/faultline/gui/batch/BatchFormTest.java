@@ -14,6 +14,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.form.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.FieldBorder;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.Point;
@@ -181,6 +182,32 @@ class BatchFormTest {
         assertTrue(labels().contains("A value is not in the expected format"), labels());
         type("Start of the fault", "");
         assertEquals("A value is missing. " + syntax, problemOf("Start of the fault"));
+    }
+
+    @Test
+    void aWrongValueIsMarked() {
+        type("Value of the fault: stuck", "0.8..0.2");
+        type("Value of the fault: quantised", "0.8..0.2");
+        type("Start of the fault", "5..");
+        assertFalse(isValid("Value of the fault: stuck"));
+        assertTrue(isValid("Value of the fault: quantised"), "the fault is not chosen");
+        assertFalse(isValid("Start of the fault"));
+        type("Value of the fault: stuck", "0.2..0.8");
+        assertTrue(isValid("Value of the fault: stuck"));
+        click("None");
+        assertTrue(isValid("Start of the fault"), "no fault starts");
+    }
+
+    private boolean isValid(String name) {
+        return callOnEdt(() -> FieldBorder.isValid(ComponentFinder.find(form, JTextField.class, name)));
+    }
+
+    @Test
+    void aReversedRangeHasASentenceOfItsOwn() {
+        type("Value of the fault: stuck", "0.8..0.2");
+        String rule = "A range must begin with its smaller number";
+        assertTrue(labels().contains("|" + rule + "|"), labels());
+        assertEquals("0.8..0.2 is not allowed. " + rule, problemOf("Value of the fault: stuck"));
     }
 
     /** A fraction was shown rounded and used truncated. */
