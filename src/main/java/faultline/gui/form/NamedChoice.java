@@ -18,6 +18,7 @@ public final class NamedChoice<T> extends JComboBox<T> {
     public NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
         super(values);
         setRenderer(rendererOf(name));
+        NameKeySelection.install(this, name);
         addActionListener(event -> {
             if (!updating) {
                 onChange.accept(value());

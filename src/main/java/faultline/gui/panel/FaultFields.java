@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.gui.form.FormConstraints;
 import faultline.gui.form.MutedLabel;
+import faultline.gui.form.NameKeySelection;
 import faultline.gui.form.NamedChoice;
 import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.FaultText;
@@ -93,6 +94,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private void configureKind(int count) {
         kind.setRenderer(NamedChoice.rendererOf(FaultText::nameOf, FaultText::describe));
+        NameKeySelection.install(kind, FaultText::nameOf);
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
         UiText.name(kind, "faults.kind");
