@@ -126,7 +126,7 @@ record RunVerdict(boolean success, String title, String detail, long event) {
                         FaultText.format(faults), text -> new ArrayList<>())
                 .add(id));
         collision.switchedOff().forEach(id -> sensors.computeIfAbsent(
-                        Messages.get("reading.off"), text -> new ArrayList<>())
+                        Messages.get("timeline.off"), text -> new ArrayList<>())
                 .add(id));
         List<String> entries = Stream.concat(
                         sensors.entrySet().stream().flatMap(entry -> faultEntries(entry.getKey(), entry.getValue())),
@@ -136,7 +136,8 @@ record RunVerdict(boolean success, String title, String detail, long event) {
             return Messages.get("verdict.noFaults");
         }
         int hidden = entries.size() - MAX_ENTRIES;
-        String active = entries.stream().limit(MAX_ENTRIES).collect(Collectors.joining(", "));
+        // The names of some faults have a comma.
+        String active = entries.stream().limit(MAX_ENTRIES).collect(Collectors.joining("; "));
         return Messages.get(
                 "verdict.faults", hidden > 0 ? Messages.get("verdict.more", active, Integer.toString(hidden)) : active);
     }

@@ -129,7 +129,7 @@ class RunVerdictTest {
                 crash.setup(), List.of(new Journal.Entry(50, new Command.SwitchSensor("left", false))), 1000);
         try (Session session = Session.replay(journal, 1000, reached -> true)) {
             RunVerdict verdict = RunVerdict.of(session.frame(), RUNNING, crash).orElseThrow();
-            assertTrue(verdict.detail().endsWith("left off"), verdict.detail());
+            assertTrue(verdict.detail().endsWith("front off, no reading; left switched off"), verdict.detail());
         }
     }
 
@@ -143,11 +143,11 @@ class RunVerdictTest {
             different.put("s" + i, List.of(FaultKind.STUCK.createFault(i / 100.0)));
         }
         assertEquals(
-                "Active faults: 30 sensors: stuck 0.40 m, left off, right off",
+                "Active faults: 30 sensors: stuck 0.40 m; left switched off; right switched off",
                 RunVerdict.faultText(collision(equal, List.of("left", "right"))));
         assertEquals(
-                "Active faults: s10 stuck 0.10 m, s11 stuck 0.11 m, s12 stuck 0.12 m, s13 stuck 0.13 m, "
-                        + "s14 stuck 0.14 m, s15 stuck 0.15 m, s16 stuck 0.16 m, s17 stuck 0.17 m and 22 more",
+                "Active faults: s10 stuck 0.10 m; s11 stuck 0.11 m; s12 stuck 0.12 m; s13 stuck 0.13 m; "
+                        + "s14 stuck 0.14 m; s15 stuck 0.15 m; s16 stuck 0.16 m; s17 stuck 0.17 m and 22 more",
                 RunVerdict.faultText(collision(different, List.of())));
     }
 
@@ -156,7 +156,8 @@ class RunVerdictTest {
         MotorFaults motors = new MotorFaults(List.of(), List.of(new MotorFault.Weak(0.7), new MotorFault.NoDrive()));
         Collision collision = new Collision(Vector2.ZERO, 1, 100, "pole", Map.of(), List.of("left"), motors);
         assertEquals(
-                "Active faults: left off, right motors weak 0.70, right motors dead", RunVerdict.faultText(collision));
+                "Active faults: left switched off; right motors weak 0.70; right motors dead",
+                RunVerdict.faultText(collision));
     }
 
     private static Collision collision(Map<String, List<Fault>> faults, List<String> off) {
