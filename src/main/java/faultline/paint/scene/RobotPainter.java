@@ -13,6 +13,7 @@ import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 
@@ -47,6 +48,16 @@ final class RobotPainter {
                 Shapes.circle(centre, radius),
                 Palette.withAlpha(context.palette().robot(), HALO_ALPHA));
         context.drawRing(centre, radius, 1.8, context.palette().robot());
+    }
+
+    /** Returns the bounds of the platform, pixels. */
+    static Rectangle2D bounds(DrawContext context, RobotSpec robot, Pose pose) {
+        double cos = Math.abs(Math.cos(pose.heading()));
+        double sin = Math.abs(Math.sin(pose.heading()));
+        double width = context.camera().scale() * (robot.length() * cos + robot.width() * sin);
+        double height = context.camera().scale() * (robot.length() * sin + robot.width() * cos);
+        Vector2 centre = context.camera().toScreen(pose.position());
+        return new Rectangle2D.Double(centre.x() - width / 2, centre.y() - height / 2, width, height);
     }
 
     static double haloRadius(DrawContext context, RobotSpec robot) {

@@ -86,9 +86,8 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
                     pathFrom,
                     world.pose().position());
         }
-        List<SensorPainter.SensorLabel> sensorLabels = sensorLabels(context, world.sensors());
-        List<Rectangle2D> taken =
-                sensorLabels.stream().map(SensorPainter.SensorLabel::box).toList();
+        List<SensorLabel> sensorLabels = sensorLabels(context, world);
+        List<Rectangle2D> taken = sensorLabels.stream().map(SensorLabel::box).toList();
         obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle, taken));
         RobotPainter.paintHalo(context, world.robot(), world.pose());
         paintSensors(context, world.sensors(), sensorLabels);
@@ -128,21 +127,20 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
     }
 
     /** Returns the labels of the sensors, none without the cones. */
-    private List<SensorPainter.SensorLabel> sensorLabels(DrawContext context, List<SensorSnapshot> sensors) {
+    private List<SensorLabel> sensorLabels(DrawContext context, Snapshot world) {
         return layers.contains(Layer.CONES)
-                ? SensorPainter.labels(context.withFont(labels.font()), sensors, labels)
+                ? SensorLabel.of(context.withFont(labels.font()), world, labels)
                 : List.of();
     }
 
-    private void paintSensors(
-            DrawContext context, List<SensorSnapshot> sensors, List<SensorPainter.SensorLabel> sensorLabels) {
+    private void paintSensors(DrawContext context, List<SensorSnapshot> sensors, List<SensorLabel> sensorLabels) {
         if (layers.contains(Layer.CONES)) {
             for (int i = 0; i < sensors.size(); i++) {
                 SensorPainter.paintCone(context, i, sensors.get(i));
             }
             sensors.forEach(sensor -> SensorPainter.paintTrueReading(context, sensor));
             DrawContext labelled = context.withFont(labels.font());
-            sensorLabels.forEach(label -> SensorPainter.paintLabel(labelled, label));
+            sensorLabels.forEach(label -> label.paint(labelled));
         }
     }
 
