@@ -50,7 +50,7 @@ final class AttributeConflicts {
 
     private void add(Factor factor) {
         Map<AttributePath, ScenarioChange.SetAttribute> first = new LinkedHashMap<>();
-        for (Factor.Level level : factor.levels()) {
+        for (Factor.Level level : factor.settingLevels()) {
             Set<AttributePath> inLevel = new HashSet<>();
             for (ScenarioChange change : level.edits()) {
                 if (change instanceof ScenarioChange.SetAttribute set) {

@@ -28,10 +28,9 @@ final class ControllerTypes {
             List<String> varied = new ArrayList<>();
             // At most one factor sets the type.
             factors.stream()
-                    .map(Factor::levels)
-                    .filter(levels -> levels.stream()
+                    .filter(factor -> factor.settingLevels().stream()
                             .anyMatch(level -> !typesIn(level.edits()).isEmpty()))
-                    .flatMap(List::stream)
+                    .flatMap(factor -> factor.levels().stream())
                     .map(level -> typesIn(level.edits()))
                     .forEach(set -> varied.addAll(set.isEmpty() ? own : set));
             types.addAll(varied.isEmpty() ? own : varied);

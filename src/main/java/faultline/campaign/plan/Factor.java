@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -13,7 +14,17 @@ record Factor(FactorKind kind, List<Column> columns, List<Level> levels) {
 
     Factor {
         columns = List.copyOf(columns);
-        levels = List.copyOf(levels);
+        // A copy would make levels that are made on demand.
+        levels = Collections.unmodifiableList(levels);
+    }
+
+    /** Returns some levels that together set every attribute that the factor sets; levels of faults set none. */
+    List<Level> settingLevels() {
+        return switch (kind) {
+            case FAULTS -> List.of();
+            case SET, MASKS -> levels.subList(0, 1);
+            case VARIANTS -> levels;
+        };
     }
 
     /** One level of a factor: the values in its columns, and the changes of the scenario. */

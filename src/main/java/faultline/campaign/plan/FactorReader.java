@@ -53,10 +53,11 @@ final class FactorReader {
         if (path.isEmpty() || values.isEmpty()) {
             return Optional.empty();
         }
-        List<Factor.Level> levels = values.get().stream()
-                .map(value -> new Factor.Level(
-                        List.of(value), List.of(new ScenarioChange.SetAttribute(path.get(), value, node.location()))))
-                .toList();
+        List<Factor.Level> levels = new ListOnDemand<>(values.get().size(), index -> {
+            AttributeValue value = values.get().get(index);
+            return new Factor.Level(
+                    List.of(value), List.of(new ScenarioChange.SetAttribute(path.get(), value, node.location())));
+        });
         String meaning = path.get() + " of the scenario" + (isDrawn(values.get()) ? ", drawn for each block" : "");
         return Optional.of(
                 new Factor(FactorKind.SET, List.of(new Column(name, path.get().unit(), meaning)), levels));

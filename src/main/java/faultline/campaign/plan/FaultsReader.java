@@ -7,13 +7,14 @@ import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioLimits;
 import faultline.scenario.xml.XmlElement;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 
 /**
  * Makes a factor of {@code faults}. Each {@code fault} in it takes the attributes of a fault in a scenario's timeline;
@@ -48,9 +49,6 @@ final class FaultsReader {
     /** The attributes of all faults, in the order of the columns. */
     private final Set<String> attributes = new LinkedHashSet<>(List.of("kind", "sensor", "value", "at", "until"));
 
-    /** A level whose columns are not known yet. */
-    private record IncompleteLevel(Map<String, AttributeValue> attributes, XmlElement node) {}
-
     FaultsReader(Problems problems) {
         this.problems = problems;
     }
@@ -60,32 +58,34 @@ final class FaultsReader {
         AttributeReader fields = new AttributeReader(node, problems);
         String name = FactorReader.columnName(fields, "fault");
         fields.reportUnknownAndMissing();
-        List<IncompleteLevel> levels = new ArrayList<>();
+        List<FaultElement> elements = new ArrayList<>();
         for (XmlElement child : node.children()) {
             if (child.name().equals("healthy")) {
                 ElementRules.checkChildren(child, List.of(), problems);
                 new AttributeReader(child, problems).reportUnknownAndMissing();
-                levels.add(new IncompleteLevel(Map.of(), child));
+                elements.add(new FaultElement(child, Map.of()));
             } else if (child.name().equals("fault")) {
                 if (child.attributes().keySet().containsAll(List.of("lasts", "until"))) {
                     problems.add(child, PlanProblem.LASTS_AND_UNTIL.with());
                 }
-                readFault(child, name).forEach(values -> levels.add(new IncompleteLevel(values, child)));
+                elements.add(readFault(child, name));
             }
         }
-        if (levels.isEmpty()) {
+        if (elements.isEmpty()) {
             problems.add(node, PlanProblem.NO_FAULT.with());
             return Optional.empty();
         }
-        Set<Map<String, AttributeValue>> different = new HashSet<>();
-        for (IncompleteLevel level : levels) {
-            if (!different.add(level.attributes)) {
-                problems.add(level.node, PlanProblem.DUPLICATE_FAULT.with(level.node.name()));
-            }
+        double count = elements.stream().mapToDouble(FaultElement::count).sum();
+        if (PlanReader.reportTooMany(node, count, problems)) {
+            return Optional.empty();
         }
+        EqualFaults.in(elements)
+                .forEach(repeated -> problems.add(
+                        repeated.node(),
+                        PlanProblem.DUPLICATE_FAULT.with(repeated.node().name())));
+        elements.forEach(element -> attributes.addAll(element.level(0).keySet()));
         List<Column> columns = attributes.stream().map(key -> column(name, key)).toList();
-        return Optional.of(new Factor(
-                FactorKind.FAULTS, columns, levels.stream().map(this::level).toList()));
+        return Optional.of(new Factor(FactorKind.FAULTS, columns, levels(elements)));
     }
 
     private static Column column(String factor, String attribute) {
@@ -94,24 +94,13 @@ final class FaultsReader {
         return new Column(name, unit, MEANINGS.getOrDefault(attribute, attribute + " of the fault"));
     }
 
-    /** Returns every combination of the values of one element; those of the last attribute change fastest. */
-    private List<Map<String, AttributeValue>> readFault(XmlElement node, String factor) {
+    private FaultElement readFault(XmlElement node, String factor) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         Map<String, List<AttributeValue>> values = new LinkedHashMap<>();
         node.attributes().forEach((key, text) -> values.put(key, readValues(fields, key, text, factor)));
-        double combinations = values.values().stream().mapToDouble(List::size).reduce(1, (a, b) -> a * b);
-        if (PlanReader.reportTooMany(node, combinations, problems)) {
-            values.replaceAll((key, all) -> all.subList(0, 1));
-        }
-        List<Map<String, AttributeValue>> levels = List.of(new LinkedHashMap<>());
-        for (Map.Entry<String, List<AttributeValue>> attribute : values.entrySet()) {
-            levels = combine(levels, attribute.getKey(), attribute.getValue());
-        }
-        List<Map<String, AttributeValue>> timed =
-                levels.stream().map(FaultsReader::withEnd).toList();
-        timed.forEach(level -> attributes.addAll(level.keySet()));
-        return timed;
+        FaultElement element = new FaultElement(node, values);
+        return PlanReader.reportTooMany(node, element.count(), problems) ? element.first() : element;
     }
 
     private static List<AttributeValue> readValues(AttributeReader fields, String key, String text, String factor) {
@@ -130,40 +119,33 @@ final class FaultsReader {
         return values.orElse(List.of(AttributeValue.NONE));
     }
 
-    private static List<Map<String, AttributeValue>> combine(
-            List<Map<String, AttributeValue>> levels, String key, List<AttributeValue> values) {
-        List<Map<String, AttributeValue>> combined = new ArrayList<>();
-        for (Map<String, AttributeValue> level : levels) {
-            for (AttributeValue value : values) {
-                Map<String, AttributeValue> longer = new LinkedHashMap<>(level);
-                longer.put(key, value);
-                combined.add(longer);
-            }
+    /** Returns the levels of all elements, which are made on demand. */
+    private List<Factor.Level> levels(List<FaultElement> elements) {
+        NavigableMap<Integer, FaultElement> byFirstLevel = new TreeMap<>();
+        int count = 0;
+        for (FaultElement element : elements) {
+            byFirstLevel.put(count, element);
+            count += (int) element.count();
         }
-        return combined;
+        return new ListOnDemand<>(count, index -> {
+            Map.Entry<Integer, FaultElement> element = byFirstLevel.floorEntry(index);
+            return level(
+                    element.getValue().level(index - element.getKey()),
+                    element.getValue().node());
+        });
     }
 
-    /** Replaces the duration of a fault by its end. */
-    private static Map<String, AttributeValue> withEnd(Map<String, AttributeValue> level) {
-        Map<String, AttributeValue> timed = new LinkedHashMap<>(level);
-        AttributeValue lasts = timed.remove("lasts");
-        if (lasts != null) {
-            timed.put("until", new AttributeValue.Sum(timed.getOrDefault("at", AttributeValue.NONE), lasts));
-        }
-        return timed;
-    }
-
-    private Factor.Level level(IncompleteLevel level) {
+    private Factor.Level level(Map<String, AttributeValue> given, XmlElement node) {
         List<AttributeValue> cells = new ArrayList<>();
         for (String key : attributes) {
-            AttributeValue kind = level.attributes.getOrDefault("kind", new AttributeValue.FixedValue("none"));
+            AttributeValue kind = given.getOrDefault("kind", new AttributeValue.FixedValue("none"));
             AttributeValue missing = key.equals("kind") || key.equals(LABEL) ? kind : AttributeValue.NONE;
-            cells.add(level.attributes.getOrDefault(key, missing));
+            cells.add(given.getOrDefault(key, missing));
         }
-        Map<String, AttributeValue> fault = new LinkedHashMap<>(level.attributes);
+        Map<String, AttributeValue> fault = new LinkedHashMap<>(given);
         fault.remove(LABEL);
         List<ScenarioChange> edits =
-                fault.isEmpty() ? List.of() : List.of(new ScenarioChange.AddFault(fault, level.node.location()));
+                fault.isEmpty() ? List.of() : List.of(new ScenarioChange.AddFault(fault, node.location()));
         return new Factor.Level(cells, edits);
     }
 }

@@ -14,7 +14,7 @@ final class OverruledAttributes {
         Stream.concat(
                         constants.stream(),
                         factors.stream()
-                                .flatMap(factor -> factor.levels().stream())
+                                .flatMap(factor -> factor.settingLevels().stream())
                                 .flatMap(level -> level.edits().stream()))
                 .filter(ScenarioChange.SetAttribute.class::isInstance)
                 .map(change -> ((ScenarioChange.SetAttribute) change).path())

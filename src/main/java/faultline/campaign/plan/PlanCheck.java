@@ -94,7 +94,7 @@ final class PlanCheck {
 
     /** Returns whether a factor sets the type of the controller, which no other factor does then. */
     private static boolean setsType(Factor factor) {
-        return factor.levels().stream()
+        return factor.settingLevels().stream()
                 .flatMap(level -> level.edits().stream())
                 .anyMatch(edit -> edit instanceof ScenarioChange.SetAttribute set
                         && set.path().isControllerType());

@@ -3,16 +3,13 @@ package faultline.campaign.plan;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.AbstractList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import java.util.RandomAccess;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -266,34 +263,17 @@ public final class ValueSyntax {
         int count = Integer.parseInt(interval.group(3));
         return count < 2 || count > MAX_VALUES
                 ? Optional.empty()
-                : Optional.of(new EvenlySpacedValues(bounds.from(), bounds.to(), count));
+                : Optional.of(evenlySpaced(bounds.from(), bounds.to(), count));
     }
 
-    /** Evenly spaced values including both bounds, exact to twelve digits. Each is made when it is asked for. */
-    private static final class EvenlySpacedValues extends AbstractList<AttributeValue> implements RandomAccess {
-
-        private final BigDecimal from;
-        private final BigDecimal difference;
-        private final int count;
-
-        EvenlySpacedValues(BigDecimal from, BigDecimal to, int count) {
-            this.from = from;
-            this.difference = to.subtract(from);
-            this.count = count;
-        }
-
-        @Override
-        public AttributeValue get(int index) {
-            BigDecimal step = difference
-                    .multiply(BigDecimal.valueOf(Objects.checkIndex(index, count)))
-                    .divide(BigDecimal.valueOf(count - 1), TWELVE_DIGITS);
+    /** Returns evenly spaced values including both bounds, exact to twelve digits. */
+    private static List<AttributeValue> evenlySpaced(BigDecimal from, BigDecimal to, int count) {
+        BigDecimal difference = to.subtract(from);
+        return new ListOnDemand<>(count, index -> {
+            BigDecimal step =
+                    difference.multiply(BigDecimal.valueOf(index)).divide(BigDecimal.valueOf(count - 1), TWELVE_DIGITS);
             return new AttributeValue.FixedValue(
                     DecimalText.format(from.add(step).doubleValue()));
-        }
-
-        @Override
-        public int size() {
-            return count;
-        }
+        });
     }
 }
