@@ -25,6 +25,10 @@ final class FaultsReader {
     /** The attribute of a plan that names a fault in tables; a scenario's fault does not have it. */
     private static final String LABEL = "label";
 
+    /** The attributes of a fault in a timeline, and those that only a plan has. */
+    private static final List<String> KNOWN =
+            List.of("kind", "sensor", "motor", "value", "length", "at", "until", "lasts", LABEL);
+
     /** Attributes whose columns have other names. */
     private static final Map<String, String> COLUMN_NAMES =
             Map.of("at", "onset_s", "until", "end_s", "length", "length_s");
@@ -97,8 +101,14 @@ final class FaultsReader {
     private FaultElement readFault(XmlElement node, String factor) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
+        List<String> present = KNOWN.stream().filter(fields::isPresent).toList();
+        fields.reportUnknownAndMissing();
         Map<String, List<AttributeValue>> values = new LinkedHashMap<>();
-        node.attributes().forEach((key, text) -> values.put(key, readValues(fields, key, text, factor)));
+        node.attributes().forEach((key, text) -> {
+            if (present.contains(key)) {
+                values.put(key, readValues(fields, key, text, factor));
+            }
+        });
         FaultElement element = new FaultElement(node, values);
         return PlanReader.reportTooMany(node, element.count(), problems) ? element.first() : element;
     }

@@ -60,6 +60,11 @@ class HugePlansTest {
             assertEquals(
                     List.of(),
                     problemsOf(faults(repeat(190_000, i -> "<fault kind=\"off\" sensor=\"left\" at=\"" + i + "\"/>"))));
+            String odd = repeat(9000, i -> "b" + i + "=\"\" ");
+            assertEquals(
+                    "plan.xml: more problems: 8900",
+                    problemsOf(faults("<fault kind=\"off\" sensor=\"left\" at=\"0..100/50000\" " + odd + "/>"))
+                            .get(Problems.MAX_LISTED));
             System.out.println("checked");
         }
     }

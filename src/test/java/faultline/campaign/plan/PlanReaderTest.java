@@ -49,6 +49,7 @@ class PlanReaderTest {
             <faults><fault sensor="frnt" kind="off" at="1"/></faults> | plan.xml:3:49: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
             <faults><fault sensor="front" kind="any of off stick" at="1"/></faults> | plan.xml:3:63: kind of <fault> is "stick"; expected off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"? (in room)
             <set attribute="robot/@x" value="4"/> | plan.xml:3:38: <robot> starts at 4,1.2 outside of the enclosed world; expected x from 0 to 3 and y from 0 to 2 (in room)
+            <faults><fault sensor="front" kind="off" att="1"/></faults> | plan.xml:3:51: <fault> has no attribute "att"; expected kind, sensor, motor, value, length, at, until, lasts, label; did you mean "at"?
             <faults/> | plan.xml:3:10: <faults> contains no fault; expected one or more <fault> or <healthy>
             <fault sensor="front"/> | plan.xml:3:24: <campaign> must not contain <fault>; expected description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
             <seeds count="1"/><seeds count="2"/> | plan.xml:3:37: <campaign> contains a second <seeds>; expected one
