@@ -5,14 +5,17 @@ import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioLimits;
 import faultline.scenario.xml.XmlElement;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /** Makes factors of {@code set}, {@code variants} and {@code masks}. */
@@ -140,25 +143,23 @@ final class FactorReader {
                 .map(text -> idList(fields, "sensors", text))
                 .orElse(standardSensors()));
         fields.reportUnknownAndMissing();
+        int max = node.firstChild("mask").isPresent() ? ScenarioLimits.MAX_SENSORS : MAX_MASKED;
+        if (sensors.size() > max) {
+            fields.report(
+                    "sensors",
+                    ValueSyntax.formatIdList(List.copyOf(sensors)),
+                    Allowed.UNTRANSLATED.with("at most " + max + " of them"));
+            return Optional.empty();
+        }
         List<List<String>> masks = new ArrayList<>();
         Set<Set<String>> sets = new HashSet<>();
         node.childrenNamed("mask").forEach(child -> masks.add(readMask(child, sensors, sets)));
         if (masks.isEmpty()) {
-            if (sensors.size() > MAX_MASKED) {
-                fields.report(
-                        "sensors",
-                        ValueSyntax.formatIdList(List.copyOf(sensors)),
-                        Allowed.UNTRANSLATED.with("at most " + MAX_MASKED + " of them"));
-                return Optional.empty();
-            }
             masks.addAll(subsets(List.copyOf(sensors)));
         }
         Column column = new Column(name, "", "which of the masked sensors are on, with blanks between them, or none");
         Column count = new Column(name + "_count", "", "how many of the masked sensors are on");
-        return Optional.of(new Factor(
-                FactorKind.MASKS,
-                List.of(column, count),
-                masks.stream().map(on -> maskLevel(on, sensors, node)).toList()));
+        return Optional.of(new Factor(FactorKind.MASKS, List.of(column, count), maskLevels(masks, sensors, node)));
     }
 
     /** Reads a mask, given the sensors that may be on and the sets of earlier masks. */
@@ -171,8 +172,10 @@ final class FactorReader {
                 fields.requiredText("on", Allowed.UNTRANSLATED.with("the sensors that are on"))
                         .orElse(""));
         if (!sensors.containsAll(on)) {
-            fields.report(
-                    "on", ValueSyntax.formatIdList(on), Allowed.UNTRANSLATED.with("some of " + Allowed.names(sensors)));
+            fields.reportValue(
+                    "on",
+                    ValueSyntax.formatIdList(on),
+                    () -> Allowed.UNTRANSLATED.with("some of " + Allowed.names(sensors)));
         } else if (!earlier.add(Set.copyOf(on))) {
             fields.report(
                     "on",
@@ -183,23 +186,34 @@ final class FactorReader {
         return on;
     }
 
-    private static Factor.Level maskLevel(List<String> on, Set<String> sensors, XmlElement node) {
-        Set<String> different = Set.copyOf(on);
-        List<ScenarioChange> edits = sensors.stream()
-                .<ScenarioChange>map(sensor -> new ScenarioChange.SetAttribute(
-                        new AttributePath(
-                                List.of(
-                                        new AttributePath.PathStep("robot", ""),
-                                        new AttributePath.PathStep("sensor", sensor)),
-                                "on"),
-                        new AttributeValue.FixedValue(String.valueOf(different.contains(sensor))),
-                        node.location()))
-                .toList();
-        return new Factor.Level(
-                List.of(
-                        new AttributeValue.FixedValue(ValueSyntax.formatSensorSet(on)),
-                        new AttributeValue.FixedValue(String.valueOf(on.size()))),
-                edits);
+    /** Returns a level for each mask. All levels share the changes that switch a sensor. */
+    private static List<Factor.Level> maskLevels(List<List<String>> masks, Set<String> sensors, XmlElement node) {
+        Map<String, ScenarioChange> on = switches(sensors, true, node);
+        Map<String, ScenarioChange> off = switches(sensors, false, node);
+        return new ListOnDemand<>(masks.size(), index -> {
+            List<String> mask = masks.get(index);
+            Set<String> different = Set.copyOf(mask);
+            return new Factor.Level(
+                    List.of(
+                            new AttributeValue.FixedValue(ValueSyntax.formatSensorSet(mask)),
+                            new AttributeValue.FixedValue(String.valueOf(mask.size()))),
+                    sensors.stream()
+                            .map(sensor -> (different.contains(sensor) ? on : off).get(sensor))
+                            .toList());
+        });
+    }
+
+    /** Returns the changes that switch sensors on or off. */
+    private static Map<String, ScenarioChange> switches(Set<String> sensors, boolean isOn, XmlElement node) {
+        AttributeValue value = new AttributeValue.FixedValue(String.valueOf(isOn));
+        AttributePath.PathStep robot = new AttributePath.PathStep("robot", "");
+        return sensors.stream()
+                .collect(Collectors.toMap(
+                        Function.identity(),
+                        sensor -> new ScenarioChange.SetAttribute(
+                                new AttributePath(List.of(robot, new AttributePath.PathStep("sensor", sensor)), "on"),
+                                value,
+                                node.location())));
     }
 
     private static List<List<String>> subsets(List<String> sensors) {

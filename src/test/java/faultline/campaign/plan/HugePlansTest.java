@@ -32,6 +32,14 @@ class HugePlansTest {
         return "<fault " + attributes + " kind=\"stuck\" value=\"0..0.8/3000\" at=\"10..60/3000\"/>";
     }
 
+    /** Returns masks: one for each sensor, and many of nearly a thousand sensors. */
+    private static String masks(int sensors) {
+        return "<masks sensors=\"" + repeat(sensors, i -> "s" + i + " ") + "\">"
+                + repeat(sensors, i -> "<mask on=\"s" + i + "\"/>")
+                + repeat(2500, i -> "<mask on=\"" + repeat(1000, j -> (i * 31 + j) % 97 == 0 ? "" : "s" + j + " ") + "\"/>")
+                + "</masks>";
+    }
+
     /** Returns the problems of a plan, of which no more than a hundred are listed. */
     private static List<String> problemsOf(String elements) {
         assertTrue(elements.length() < ScenarioLimits.MAX_BYTES, elements.length() + " bytes");
@@ -65,6 +73,8 @@ class HugePlansTest {
                     "plan.xml: more problems: 8900",
                     problemsOf(faults("<fault kind=\"off\" sensor=\"left\" at=\"0..100/50000\" " + odd + "/>"))
                             .get(Problems.MAX_LISTED));
+            assertEquals(1, problemsOf(masks(20_000)).size());
+            problemsOf(masks(1008));
             System.out.println("checked");
         }
     }
