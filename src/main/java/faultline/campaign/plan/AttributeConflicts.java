@@ -18,6 +18,9 @@ import java.util.Set;
  */
 final class AttributeConflicts {
 
+    /** The number of paths, in all worlds together, after which no further world is searched. */
+    private static final int MAX_PATHS = 200_000;
+
     private final ScenarioTree world;
     private final Set<ScenarioChange.SetAttribute> found;
     private final Map<AttributePath, AttributePath> numbered = new HashMap<>();
@@ -31,16 +34,21 @@ final class AttributeConflicts {
     }
 
     /**
-     * Reports each attribute that is set twice, in worlds of each kind. Variants and masks may replace a constant
-     * value.
+     * Reports each attribute that is set twice, in worlds of each kind, as long as that takes at most a few seconds.
+     * Variants and masks may replace a constant value.
      */
     static void report(
             List<WorldSource> worlds, List<ScenarioChange> constants, List<Factor> factors, Problems problems) {
         Set<ScenarioChange.SetAttribute> found = new LinkedHashSet<>();
+        int paths = 0;
         for (WorldSource source : worlds) {
+            if (paths >= MAX_PATHS) {
+                break;
+            }
             AttributeConflicts conflicts = new AttributeConflicts(source.root(0), found);
             constants.forEach(change -> conflicts.add(change, conflicts.constant));
             factors.forEach(conflicts::add);
+            paths += conflicts.numbered.size();
         }
         for (ScenarioChange.SetAttribute change : found) {
             String path = MessageText.excerpt(change.path().toString());

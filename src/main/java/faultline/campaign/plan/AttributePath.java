@@ -33,6 +33,11 @@ record AttributePath(List<PathStep> steps, String attribute) {
 
     private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
 
+    private static final Pattern ROOT = Pattern.compile("^scenario/");
+    private static final Pattern NEW_WORD = Pattern.compile("([a-z0-9])([A-Z])");
+    private static final Pattern NOT_IN_NAME = Pattern.compile("[^a-z0-9]+");
+    private static final Pattern AT_END = Pattern.compile("^_|_$");
+
     /** The attributes, except thresholds, by unit. The name of a column ends with the unit. */
     private static final Map<String, Set<String>> UNITS = Map.of(
             "m",
@@ -86,7 +91,7 @@ record AttributePath(List<PathStep> steps, String attribute) {
 
     /** Parses a path, which may start with {@code scenario/}; returns an empty result if the text is not a path. */
     static Optional<AttributePath> parse(String text) {
-        String path = text.strip().replaceFirst("^scenario/", "");
+        String path = ROOT.matcher(text.strip()).replaceFirst("");
         List<PathStep> steps = new ArrayList<>();
         Matcher step = STEP.matcher(path);
         int end = 0;
@@ -135,10 +140,8 @@ record AttributePath(List<PathStep> steps, String attribute) {
 
     /** Returns a name in lower_snake. */
     static String snake(String name) {
-        return name.replaceAll("([a-z0-9])([A-Z])", "$1_$2")
-                .toLowerCase(Locale.ROOT)
-                .replaceAll("[^a-z0-9]+", "_")
-                .replaceAll("^_|_$", "");
+        String words = NEW_WORD.matcher(name).replaceAll("$1_$2").toLowerCase(Locale.ROOT);
+        return AT_END.matcher(NOT_IN_NAME.matcher(words).replaceAll("_")).replaceAll("");
     }
 
     @Override

@@ -18,7 +18,7 @@ import java.util.stream.Collectors;
 /**
  * Tries every level of every factor in every kind of world of a plan, one level at a time, so that an invalid value is
  * reported at its location in the plan before any run. Draws are tried at the ends of their ranges. After very many
- * trials or problems, only the constant changes are tried in each further world.
+ * trials or problems, only the constant changes are tried in each further world, and after very many of them none.
  */
 final class PlanCheck {
 
@@ -26,6 +26,9 @@ final class PlanCheck {
      * The sum of the {@linkplain #size sizes} of scenarios after which levels are not tried; it takes several seconds.
      */
     private static final long MAX_TRIED = 100_000;
+
+    /** The sum of the sizes of worlds and of their constant changes after which no further world is tried. */
+    private static final long MAX_IN_WORLDS = 300_000;
 
     /** The characters of attributes that take as long to check as an element. */
     private static final int TEXT_PER_ELEMENT = 4000;
@@ -36,6 +39,7 @@ final class PlanCheck {
     private final Set<SourceLocation> constantLocations;
     private final Set<String> reported = new HashSet<>();
     private long tried;
+    private long triedInWorlds;
 
     /** Creates a check of a plan in a file, whose changes of every scenario are given. */
     PlanCheck(String file, CampaignPlan plan, List<ScenarioChange> constants) {
@@ -49,6 +53,9 @@ final class PlanCheck {
     void check(PlanWorlds worlds, List<Factor> factors) throws ScenarioException {
         boolean typeVaries = factors.stream().anyMatch(PlanCheck::setsType);
         for (WorldSource source : worlds.kinds()) {
+            if (triedInWorlds >= MAX_IN_WORLDS) {
+                break;
+            }
             check(source, factors, typeVaries);
         }
         problems.throwIfAny();
@@ -56,6 +63,7 @@ final class PlanCheck {
 
     private void check(WorldSource source, List<Factor> factors, boolean typeVaries) {
         XmlElement root;
+        triedInWorlds += constants.size();
         try {
             root = plan.apply(source.root(0), constants, (stream, block) -> 0, 0);
         } catch (ScenarioException e) {
@@ -63,6 +71,7 @@ final class PlanCheck {
             return;
         }
         CheckedWorld world = new CheckedWorld(source.label(0), root, size(root));
+        triedInWorlds += world.size;
         check(world, List.of(), typeVaries);
         for (Factor factor : factors) {
             boolean otherSetsType = typeVaries && !setsType(factor);

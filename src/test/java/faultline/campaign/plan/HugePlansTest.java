@@ -36,15 +36,32 @@ class HugePlansTest {
     private static String masks(int sensors) {
         return "<masks sensors=\"" + repeat(sensors, i -> "s" + i + " ") + "\">"
                 + repeat(sensors, i -> "<mask on=\"s" + i + "\"/>")
-                + repeat(2500, i -> "<mask on=\"" + repeat(1000, j -> (i * 31 + j) % 97 == 0 ? "" : "s" + j + " ") + "\"/>")
+                + repeat(
+                        2500,
+                        i -> "<mask on=\"" + repeat(1000, j -> (i * 31 + j) % 97 == 0 ? "" : "s" + j + " ") + "\"/>")
                 + "</masks>";
+    }
+
+    /** Returns rooms of each kind, with every smallest corner and number of visitors. */
+    private static String rooms() {
+        return repeat(
+                4 * 46,
+                i -> "<rooms first=\"" + i + "\" minCorner=\"" + (45 + i % 46) + "\" visitors=\"" + i / 46 + "\"/>");
+    }
+
+    private static String cones(int sensors) {
+        return repeat(sensors, i -> "<set attribute=\"robot/sensor[s" + i + "]/@cone\" value=\"20\"/>");
     }
 
     /** Returns the problems of a plan, of which no more than a hundred are listed. */
     private static List<String> problemsOf(String elements) {
+        return problemsOf("<worlds><scenario file=\"room.xml\"/></worlds>", elements);
+    }
+
+    private static List<String> problemsOf(String worlds, String elements) {
         assertTrue(elements.length() < ScenarioLimits.MAX_BYTES, elements.length() + " bytes");
         CpuTime time = CpuTime.start();
-        List<String> problems = SamplePlan.problems(elements);
+        List<String> problems = SamplePlan.problems(worlds, elements);
         time.assertBelow(MAX_SECONDS);
         assertTrue(problems.size() <= Problems.MAX_LISTED + 1, problems.size() + " problems");
         return problems;
@@ -75,6 +92,14 @@ class HugePlansTest {
                             .get(Problems.MAX_LISTED));
             assertEquals(1, problemsOf(masks(20_000)).size());
             problemsOf(masks(1008));
+            assertEquals(
+                    "plan.xml: more problems: 1",
+                    problemsOf("<worlds>" + rooms() + "</worlds>", cones(20_000))
+                            .get(Problems.MAX_LISTED));
+            assertEquals(
+                    Problems.MAX_LISTED + 1,
+                    problemsOf("<worlds>" + rooms() + "</worlds>", cones(200_000))
+                            .size());
             System.out.println("checked");
         }
     }

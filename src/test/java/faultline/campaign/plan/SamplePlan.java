@@ -40,8 +40,13 @@ public final class SamplePlan {
 
     /** Returns the problems of a plan with a room and some elements, one per line. */
     static List<String> problems(String elements) {
+        return problems("<worlds><scenario file=\"room.xml\"/></worlds>", elements);
+    }
+
+    /** Returns the problems of a plan with some worlds and, from line 3 on, some other elements. */
+    static List<String> problems(String worlds, String elements) {
         try {
-            read(text("", "<worlds><scenario file=\"room.xml\"/></worlds>\n" + elements));
+            read(text("", worlds + "\n" + elements));
             return List.of();
         } catch (ScenarioException e) {
             return e.problems().stream().map(Problem::toString).toList();
