@@ -4,8 +4,10 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.FactorKind;
 import faultline.campaign.plan.ValueSyntax;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -139,9 +141,15 @@ final class FaultSections {
         }
         String column = masks.get().columns().get(0).name();
         List<SensorSet> sets = new ArrayList<>();
-        CampaignRuns.group(campaign.rows(), row -> row.text(column))
-                .forEach((name, rows) ->
-                        sets.add(new SensorSet(name, ValueSyntax.parseSensorSet(name), Survival.of(rows))));
+        Map<String, Integer> numbers = new HashMap<>();
+        CampaignRuns.group(campaign.rows(), row -> row.text(column)).forEach((name, rows) -> {
+            BitSet sensors = new BitSet();
+            for (String id : ValueSyntax.parseSensorSet(name)) {
+                numbers.putIfAbsent(id, numbers.size());
+                sensors.set(numbers.get(id));
+            }
+            sets.add(new SensorSet(name, sensors.cardinality(), sensors.toLongArray(), Survival.of(rows)));
+        });
         return Html.section(
                 "Minimum sets of sensors",
                 Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimal if no"
@@ -157,8 +165,11 @@ final class FaultSections {
                                 bySize(sets)));
     }
 
-    /** Sensors that are on, by their name in the results, and how often the robot carries on with them. */
-    private record SensorSet(String name, Set<String> sensors, Survival survival) {
+    /**
+     * Sensors that are on: their name in the results, their number, a bit for each of them, and how often the robot
+     * carries on with them.
+     */
+    private record SensorSet(String name, int size, long[] bits, Survival survival) {
 
         /** Those with the greatest shares first, those without decided runs last. */
         static final Comparator<SensorSet> BEST_FIRST = Comparator.comparing((SensorSet set) -> set.survival.n() == 0)
@@ -172,6 +183,15 @@ final class FaultSections {
         boolean isCertain() {
             return survival.interval().low() >= SUFFICIENT;
         }
+
+        boolean containsAll(SensorSet other) {
+            for (int i = 0; i < other.bits.length; i++) {
+                if (i >= bits.length || (other.bits[i] & ~bits[i]) != 0) {
+                    return false;
+                }
+            }
+            return true;
+        }
     }
 
     private static long count(List<SensorSet> sets, Predicate<SensorSet> condition) {
@@ -183,10 +203,9 @@ final class FaultSections {
         List<SensorSet> minimum = new ArrayList<>();
         sets.stream()
                 .filter(SensorSet::isSufficient)
-                .sorted(Comparator.comparing((SensorSet set) -> set.sensors().size())
+                .sorted(Comparator.comparing(SensorSet::size)
                         .thenComparing(SensorSet.BEST_FIRST))
-                .filter(set ->
-                        minimum.stream().noneMatch(smaller -> set.sensors().containsAll(smaller.sensors())))
+                .filter(set -> minimum.stream().noneMatch(set::containsAll))
                 .forEachOrdered(minimum::add);
         return minimum;
     }
@@ -195,7 +214,7 @@ final class FaultSections {
         List<List<String>> rows = minimumSets(sets).stream()
                 .map(set -> List.of(
                         Html.escape(set.name()),
-                        String.valueOf(set.sensors().size()),
+                        String.valueOf(set.size()),
                         set.isCertain() ? "yes" : "no",
                         Html.survivalCell(set.survival())))
                 .toList();
@@ -206,7 +225,7 @@ final class FaultSections {
 
     private static List<List<String>> bySize(List<SensorSet> sets) {
         List<List<String>> rows = new ArrayList<>();
-        new TreeMap<>(CampaignRuns.group(sets, set -> set.sensors().size())).forEach((size, some) -> {
+        new TreeMap<>(CampaignRuns.group(sets, SensorSet::size)).forEach((size, some) -> {
             SensorSet best = Collections.min(some, SensorSet.BEST_FIRST);
             rows.add(List.of(
                     String.valueOf(size),
