@@ -8,6 +8,7 @@ import java.util.BitSet;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,6 +32,11 @@ final class FaultSections {
 
     /** The minimum share of runs in which the robot carries on with a sufficient set of sensors. */
     private static final double SUFFICIENT = 0.85;
+
+    /** The maximum number of cells of a matrix. One of more cells would be hard to read, and most may have no runs. */
+    private static final int MAX_CELLS = 10_000;
+
+    private static final String ALL_FAULTS = "all faults";
 
     private final CampaignRuns campaign;
 
@@ -82,10 +88,26 @@ final class FaultSections {
                 .collect(Collectors.joining());
     }
 
-    /** Returns a table with a row for each fault and for all of them, and a column for each part that fails. */
+    /** Returns a table of the runs of each fault and part that fails, of all faults and of all parts. */
     private String table(FaultColumns columns, List<RunRow> faulty, Function<List<RunRow>, String> cell) {
         Set<String> parts = CampaignRuns.group(faulty, columns::failingPart).keySet();
-        Map<String, List<RunRow>> lines = CampaignRuns.group(faulty, row -> row.text(columns.fault()));
+        Map<String, List<RunRow>> lines = new LinkedHashMap<>();
+        CampaignRuns.group(faulty, row -> row.text(columns.fault()))
+                .forEach((name, group) -> lines.put(Html.escape(name), group));
+        String fault = campaign.faults().size() == 1 ? "fault" : Html.escape(columns.fault());
+        return (long) lines.size() * parts.size() > MAX_CELLS
+                ? list(columns, fault, lines, faulty, cell)
+                : matrix(columns, fault, parts, lines, faulty, cell);
+    }
+
+    /** Returns a table with a row for each fault and for all of them, and a column for each part that fails. */
+    private static String matrix(
+            FaultColumns columns,
+            String fault,
+            Set<String> parts,
+            Map<String, List<RunRow>> lines,
+            List<RunRow> faulty,
+            Function<List<RunRow>, String> cell) {
         List<List<String>> rows = new ArrayList<>();
         BiConsumer<String, List<RunRow>> addLine = (name, group) -> {
             Map<String, List<RunRow>> cells = CampaignRuns.group(group, columns::failingPart);
@@ -94,13 +116,30 @@ final class FaultSections {
             line.add(cell.apply(group));
             rows.add(line);
         };
-        lines.forEach((name, group) -> addLine.accept(Html.escape(name), group));
-        addLine.accept("all faults", faulty);
-        List<String> header =
-                new ArrayList<>(List.of(campaign.faults().size() == 1 ? "fault" : Html.escape(columns.fault())));
+        lines.forEach(addLine);
+        addLine.accept(ALL_FAULTS, faulty);
+        List<String> header = new ArrayList<>(List.of(fault));
         parts.forEach(each -> header.add(Html.escape(each)));
         header.add("all");
         return Html.table("matrix", header, rows);
+    }
+
+    /** Returns a table with a row for each fault and part that runs have. */
+    private static String list(
+            FaultColumns columns,
+            String fault,
+            Map<String, List<RunRow>> lines,
+            List<RunRow> faulty,
+            Function<List<RunRow>, String> cell) {
+        List<List<String>> rows = new ArrayList<>();
+        BiConsumer<String, List<RunRow>> addLines = (name, group) -> {
+            CampaignRuns.group(group, columns::failingPart)
+                    .forEach((part, some) -> rows.add(List.of(name, Html.escape(part), cell.apply(some))));
+            rows.add(List.of(name, "all", cell.apply(group)));
+        };
+        lines.forEach(addLines);
+        addLines.accept(ALL_FAULTS, faulty);
+        return Html.table("matrix", List.of(fault, "part", "runs"), rows);
     }
 
     /** Returns the delays of detection by fault and part, empty if the runs have none. */
@@ -203,8 +242,7 @@ final class FaultSections {
         List<SensorSet> minimum = new ArrayList<>();
         sets.stream()
                 .filter(SensorSet::isSufficient)
-                .sorted(Comparator.comparing(SensorSet::size)
-                        .thenComparing(SensorSet.BEST_FIRST))
+                .sorted(Comparator.comparing(SensorSet::size).thenComparing(SensorSet.BEST_FIRST))
                 .filter(set -> minimum.stream().noneMatch(set::containsAll))
                 .forEachOrdered(minimum::add);
         return minimum;

@@ -143,6 +143,22 @@ class FaultSectionsTest {
                 campaign.rows().stream().map(campaign::faultName).toList());
     }
 
+    /** 101 kinds of fault of a sensor each would be 10 201 cells. */
+    @Test
+    void ofMoreThanTenThousandCellsOnlyThoseWithRunsAreListed() {
+        for (int i = 0; i < 101; i++) {
+            String number = Integer.toString(i);
+            lines.add(List.of(number, "kind" + i, "s" + i, "ALL", "2"));
+        }
+        String table = delays();
+        String cell = "<td><b>2.00</b><small>2.00</small><small>" + Html.percent(1) + "</small></td></tr>";
+        assertTrue(table.contains("<th scope=\"row\">kind7</th><td>s7</td>" + cell), table);
+        assertTrue(table.contains("<th scope=\"row\">kind7</th><td>all</td>" + cell), table);
+        assertTrue(table.contains("<th scope=\"row\">all faults</th><td>s7</td>" + cell), table);
+        assertTrue(table.contains("<th scope=\"row\">all faults</th><td>all</td>" + cell), table);
+        assertEquals(1 + 101 + 101 + 102, table.split("<tr>", -1).length - 1);
+    }
+
     @Test
     void runsWithoutAnyDelayHaveNoTable() {
         addRun("front", "ALL", "");
