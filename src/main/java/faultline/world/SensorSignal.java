@@ -65,27 +65,43 @@ final class SensorSignal {
     }
 
     /**
-     * Starts the added faults and ends the removed ones; the others keep their state. Returns whether the optics may
-     * have changed.
+     * Starts the added faults and ends the removed ones; the others keep their state. Of equal faults, the oldest end
+     * first. Returns whether the optics may have changed.
      */
     boolean update(long tick, double dt, double lastReported) {
-        int kept = countLeadingActive();
-        if (kept == faults.size() && kept == active.size()) {
+        int same = countLeadingActive();
+        boolean noneEnds = same == active.size();
+        if (noneEnds && same == faults.size()) {
             return false;
         }
         boolean before = changesOptics();
-        Map<Fault, Queue<ActiveFault>> others = new HashMap<>();
-        active.subList(kept, active.size())
-                .forEach(each -> others.computeIfAbsent(each.fault(), fault -> new ArrayDeque<>())
-                        .add(each));
-        List<ActiveFault> now = new ArrayList<>(active.subList(0, kept));
-        for (Fault fault : faults.subList(kept, faults.size())) {
-            // Of equal faults, the oldest ones continue.
-            ActiveFault old = others.containsKey(fault) ? others.get(fault).poll() : null;
-            now.add(old != null ? old : new ActiveFault(fault, new FaultContext(tick, dt, lastReported)));
+        List<ActiveFault> now = noneEnds ? new ArrayList<>(active) : new ArrayList<>();
+        Map<Fault, Queue<ActiveFault>> continuing = noneEnds ? Map.of() : continuing();
+        for (Fault fault : faults.subList(now.size(), faults.size())) {
+            Queue<ActiveFault> equal = continuing.getOrDefault(fault, new ArrayDeque<>());
+            now.add(
+                    equal.isEmpty()
+                            ? new ActiveFault(fault, new FaultContext(tick, dt, lastReported))
+                            : equal.remove());
         }
         active = now;
         return before || changesOptics();
+    }
+
+    /** Returns the active faults that do not end: of equal ones the newest, oldest first. */
+    private Map<Fault, Queue<ActiveFault>> continuing() {
+        Map<Fault, Integer> ending = new HashMap<>();
+        active.forEach(each -> ending.merge(each.fault(), 1, Integer::sum));
+        faults.forEach(fault -> ending.merge(fault, -1, Integer::sum));
+        Map<Fault, Queue<ActiveFault>> continuing = new HashMap<>();
+        for (ActiveFault each : active) {
+            if (ending.merge(each.fault(), -1, Integer::sum) < 0) {
+                continuing
+                        .computeIfAbsent(each.fault(), fault -> new ArrayDeque<>())
+                        .add(each);
+            }
+        }
+        return continuing;
     }
 
     /** Returns how many faults at the start of the list are active in the same place. */

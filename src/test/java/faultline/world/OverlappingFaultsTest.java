@@ -9,6 +9,7 @@ import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultSequence;
+import faultline.sensor.SignalFault;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -20,7 +21,7 @@ class OverlappingFaultsTest {
     private static final int FAULTS = 60_000;
 
     private static World world() {
-        return new World(new WorldSpec(4, 4, true, 1, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
+        return new World(new WorldSpec(4, 4, true, 1, List.of()), RobotSpec.DEFAULT, new Pose(3.5, 2, 0), 0.01, 1);
     }
 
     @Test
@@ -71,5 +72,55 @@ class OverlappingFaultsTest {
         assertEquals(
                 restoration,
                 CommandResult.restoration(restoration.get(0), FaultSequence.copyOf(restoration.subList(1, 4))));
+    }
+
+    /** The true reading of the front sensor is 0.375 m. */
+    private static void assertErrorAfter(double error, int ticks, World world) {
+        for (int i = 0; i < ticks; i++) {
+            world.move(0, 0);
+            world.sense();
+        }
+        assertEquals(0.375 + error, world.reportedReading(FRONT), 1e-12);
+    }
+
+    @Test
+    void theEndOfOneOfSeveralEqualFaultsEndsTheOldest() {
+        for (Fault other : List.of(new SignalFault.Scale(1), new SignalFault.Drift(0.2))) {
+            World world = world();
+            Fault drift = new SignalFault.Drift(0.1);
+            world.execute(new Command.InjectFault("front", drift));
+            assertErrorAfter(0.01, 11, world);
+            world.execute(new Command.InjectFault("front", other));
+            world.execute(new Command.InjectFault("front", drift));
+            double added = other.value() == 1 ? 0 : 0.02;
+            assertErrorAfter(0.021 + 0.01 + added, 11, world);
+            world.execute(new Command.ClearFault("front", drift));
+            assertErrorAfter(0.011 + added * 1.1, 1, world);
+            world.execute(new Command.ClearFault("front", drift));
+            assertErrorAfter(added * 1.2, 1, world);
+        }
+    }
+
+    @Test
+    void equalFaultsContinueWhenAnotherIsAddedAndAnotherKindEnds() {
+        World world = world();
+        Fault drift = new SignalFault.Drift(0.1);
+        world.execute(new Command.InjectFault("front", new Fault.Bias(0.1)));
+        world.execute(new Command.InjectFault("front", drift));
+        assertErrorAfter(0.11, 11, world);
+        world.execute(new Command.ClearFault("front", new Fault.Bias(0.1)));
+        world.execute(new Command.InjectFault("front", drift));
+        assertErrorAfter(0.031, 11, world);
+    }
+
+    @Test
+    void aFaultThatEndsAndBeginsAgainInTheSameTickContinues() {
+        World world = world();
+        Fault drift = new SignalFault.Drift(0.1);
+        world.execute(new Command.InjectFault("front", drift));
+        assertErrorAfter(0.01, 11, world);
+        world.execute(new Command.ClearFault("front", drift));
+        world.execute(new Command.InjectFault("front", drift));
+        assertErrorAfter(0.02, 10, world);
     }
 }
