@@ -1,6 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.OrientedBox;
+import faultline.geometry.Pose;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
@@ -198,12 +199,19 @@ final class CommandHandler {
         return withObstacle(command, command.obstacle(), placed -> {
             Obstacle old = placed.obstacle();
             // An obstacle that touches the robot may come back to where it was.
-            if (!ObstacleSet.isOverlapping(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
-                obstacles.move(placed, command.pose());
-            } else if (!motionStep.slideUntilContact(placed, command.pose())) {
+            Pose end = command.pose();
+            if (!ObstacleSet.isOverlapping(body.box(), ObstacleGeometry.of(old.withPose(end)))) {
+                obstacles.move(placed, end);
+            } else if (motionStep.slideUntilContact(placed, end)) {
+                end = obstacles.find(old.id()).orElseThrow().obstacle().pose();
+            } else {
                 return refused(command, Reason.OVERLAPS_ROBOT, old.id());
             }
-            return executed(command, new Command.MoveObstacle(old.id(), old.pose()));
+            return new CommandResult.Executed(
+                    tick.getAsLong(),
+                    command,
+                    new Command.MoveObstacle(old.id(), end),
+                    List.of(new Command.MoveObstacle(old.id(), old.pose())));
         });
     }
 

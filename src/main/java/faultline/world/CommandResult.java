@@ -15,6 +15,15 @@ public sealed interface CommandResult {
     Command command();
 
     /**
+     * {@return the command as it has changed the world} This is another one only for an obstacle that was moved into
+     * the robot: it stopped where they touch. A replay needs the command itself, because a move that ends where they
+     * touch is no contact.
+     */
+    default Command effect() {
+        return command();
+    }
+
+    /**
      * {@return the commands, in order, that restore what the command has changed; empty for a refused command} A
      * collision that it has caused is not undone. An obstacle that was removed comes back where it was, as if it were
      * placed for the first time: above the others, and if it moves, toward its first waypoint. A moving obstacle whose
@@ -46,18 +55,31 @@ public sealed interface CommandResult {
      *
      * @param tick the tick at whose start it was executed
      * @param command the command
+     * @param effect the command as it has changed the world
      * @param inverse the commands, in order, that undo it
      */
-    record Executed(long tick, Command command, List<Command> inverse) implements CommandResult {
+    record Executed(long tick, Command command, Command effect, List<Command> inverse) implements CommandResult {
         /**
          * Creates the result of a command that was executed.
          *
          * @param tick the tick at whose start it was executed
          * @param command the command
+         * @param effect the command as it has changed the world
          * @param inverse the commands, in order, that undo it
          */
         public Executed {
             inverse = CommandHandler.FaultRestoration.immutable(inverse);
+        }
+
+        /**
+         * Creates the result of a command that was executed as it is.
+         *
+         * @param tick the tick at whose start it was executed
+         * @param command the command
+         * @param inverse the commands, in order, that undo it
+         */
+        public Executed(long tick, Command command, List<Command> inverse) {
+            this(tick, command, command, inverse);
         }
 
         @Override

@@ -55,7 +55,8 @@ class SlidingObstaclesTest {
             return false;
         }
         World world = new World(room, spec, robot, 0.01, 1);
-        CommandResult result = world.execute(new Command.MoveObstacle("block", to));
+        Command move = new Command.MoveObstacle("block", to);
+        CommandResult result = world.execute(move);
         assertEquals(Optional.empty(), result.refusal());
         Obstacle moved = world.snapshot().obstacles().get(0);
         boolean collided = world.collision().isPresent();
@@ -63,6 +64,8 @@ class SlidingObstaclesTest {
         Pose slid = collided ? from : to;
         assertFalse(overlapsOnTheWay(slid, moved, bodyAt(robot, DEPTH)), () -> block + " to " + to + ": " + moved);
         assertEquals(collided, !moved.pose().equals(to));
+        assertEquals(move, result.command());
+        assertEquals(new Command.MoveObstacle("block", moved.pose()), result.effect());
         return collided;
     }
 

@@ -50,7 +50,7 @@ public final class Recorder implements TickObserver, CommandListener {
         double time = setup.timeOf(result.tick());
         events.add(result.refusal()
                 .<RunEvent>map(reason -> new RunEvent.CommandRefused(result.tick(), time, result.command(), reason))
-                .orElseGet(() -> new RunEvent.CommandExecuted(result.tick(), time, result.command())));
+                .orElseGet(() -> new RunEvent.CommandExecuted(result.tick(), time, result.effect())));
     }
 
     @Override

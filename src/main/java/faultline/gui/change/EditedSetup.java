@@ -94,7 +94,7 @@ public final class EditedSetup {
 
     /** Returns what makes the change of a command. */
     static Consumer<EditedSetup> change(CommandResult result) {
-        return result.command()
+        return result.effect()
                 .match(CommandCases.ofSetup(
                         timed -> NOTHING,
                         configureSensor -> setup -> setup.configure(configureSensor),

@@ -151,6 +151,7 @@ public record Rename(Renamed kind, String before, String after) {
                 .orElseGet(() -> new CommandResult.Executed(
                         result.tick(),
                         command,
+                        rename(result.effect()),
                         result.inverse().stream().map(this::rename).toList()));
     }
 }

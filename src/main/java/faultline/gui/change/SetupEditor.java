@@ -374,7 +374,7 @@ public final class SetupEditor {
             return false;
         }
         Consumer<EditedSetup> restored = edited.reversal(result);
-        UndoCommand undo = undoCommand(result.tick(), result.command());
+        UndoCommand undo = undoCommand(result.tick(), result.effect());
         Optional.ofNullable(undoable.get(undo))
                 .map(Reversal::restored)
                 .orElseGet(() -> EditedSetup.change(result))

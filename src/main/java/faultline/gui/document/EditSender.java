@@ -152,6 +152,6 @@ final class EditSender {
     }
 
     private static CommandResult executedAt(long tick, CommandResult result) {
-        return new CommandResult.Executed(tick, result.command(), result.inverse());
+        return new CommandResult.Executed(tick, result.command(), result.effect(), result.inverse());
     }
 }

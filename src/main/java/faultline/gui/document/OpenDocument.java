@@ -77,7 +77,7 @@ record OpenDocument(ScenarioDocument document, Session session, boolean ownContr
         }
         return result.refusal()
                 .<CommandResult>map(reason -> new CommandResult.Refused(tick, result.command(), reason))
-                .orElseGet(() -> new CommandResult.Executed(tick, result.command(), result.inverse()));
+                .orElseGet(() -> new CommandResult.Executed(tick, result.command(), result.effect(), result.inverse()));
     }
 
     /**

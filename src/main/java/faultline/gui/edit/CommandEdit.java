@@ -45,7 +45,10 @@ final class CommandEdit implements Edit {
             last.put(
                     result.tick(),
                     new CommandResult.Executed(
-                            result.tick(), result.command(), last(last).inverse()));
+                            result.tick(),
+                            result.command(),
+                            result.effect(),
+                            last(last).inverse()));
         } else {
             parts.put(next, new TreeMap<>(Map.of(result.tick(), result)));
         }
@@ -196,7 +199,7 @@ final class CommandEdit implements Edit {
     }
 
     private static CommandResult inverse(CommandResult result) {
-        return new CommandResult.Executed(result.tick(), result.inverse().get(0), List.of(result.command()));
+        return new CommandResult.Executed(result.tick(), result.inverse().get(0), List.of(result.effect()));
     }
 
     /** Returns the changes of the start that redo or undo the edit, which was made in an earlier run. */
