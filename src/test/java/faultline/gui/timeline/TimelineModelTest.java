@@ -7,11 +7,17 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Commands of a timeline as items, and edits of items as commands. */
 class TimelineModelTest {
@@ -193,5 +199,22 @@ class TimelineModelTest {
                 "right motors",
                 item.inLane(new Lane.MotorLane(MotorSide.RIGHT)).lane().label());
         assertEquals(item, item.inLane(new Lane.SensorLane("left")), "a fault of motors is none of a sensor");
+    }
+
+    /** A file has an end as {@code until} if it follows its fault, whichever fault it ends. */
+    @Test
+    void aSavedFileOfOverlappingEqualFaultsHasTheSameLanes(@TempDir Path folder) throws ScenarioException, IOException {
+        Scenario office = Scenario.load(Path.of("scenarios/office.xml"));
+        List<TimedCommand> nested = List.of(
+                inject(20, "left", STUCK),
+                clear(80, "left", STUCK),
+                inject(30, "left", STUCK),
+                clear(40, "left", STUCK));
+        Scenario saved = office.withSetup(office.setup().withTimeline(nested));
+        Path file = Files.write(folder.resolve("saved.xml"), saved.toBytes());
+        Scenario read = Scenario.load(file);
+        assertEquals(nested, read.setup().timeline());
+        assertEquals(
+                List.of("left 20.0 40.0", "left 30.0 80.0"), spans(read.setup().timeline()));
     }
 }
