@@ -44,6 +44,7 @@ public final class UndoController {
     private final UndoRequests requests = new UndoRequests(history, this::apply);
     private Consumer<ForkedEdits> forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
+    private Consumer<List<CommandResult>> editListener = results -> {};
     private BiConsumer<String, Boolean> scenarioListener = (name, redone) -> {};
     private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
     private StartChange startChange = (changes, redone, onChanged) -> {};
@@ -73,6 +74,11 @@ public final class UndoController {
         undoListener = listener;
     }
 
+    /** Sets the listener that receives the results of each edit, but not those of undo and redo. */
+    public void setEditListener(Consumer<List<CommandResult>> listener) {
+        editListener = listener;
+    }
+
     /**
      * Sets the listener that is called when an edit is undone or redone in the scenario only, because its timeline has
      * changed the same thing in this run since, with the name of the edit and whether it is redone.
@@ -96,6 +102,7 @@ public final class UndoController {
         onStateChange.run();
         return results -> {
             recordEdit(gestureId, results);
+            editListener.accept(results);
             requests.answered();
             onStateChange.run();
         };

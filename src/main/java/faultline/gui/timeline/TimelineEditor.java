@@ -85,8 +85,14 @@ public final class TimelineEditor {
                         .reduce((ControllerSpec.BuiltIn) first, (earlier, later) -> later));
     }
 
-    /** Adds an item; undo selects {@code before}, the item that was selected, which may be null. */
+    /**
+     * Adds an item, and reports if it repeats a fault; undo selects {@code before}, the item that was selected, which
+     * may be null.
+     */
     void add(TimelineItem item, TimelineItem before) {
+        if (model().items().stream().anyMatch(item::repeats)) {
+            notes.accept(Messages.get("timeline.again", TimelineText.title(item)));
+        }
         commit("timeline.add", item, model().with(item), new Object(), new Selections(before, item));
     }
 

@@ -14,7 +14,7 @@ import java.util.List;
 public record TimelineItem(Command command, double start, double end) {
 
     /** Returns an item that lasts to the end of the run, if its command can last, or else is over at once. */
-    static TimelineItem from(Command command, double start) {
+    public static TimelineItem from(Command command, double start) {
         boolean lasts = !CommandRole.of(command).endings().isEmpty();
         return new TimelineItem(command, start, lasts ? Double.POSITIVE_INFINITY : start);
     }
@@ -76,6 +76,11 @@ public record TimelineItem(Command command, double start, double end) {
     /** Returns the commands that can end this interval, first the one that is written; empty for a moment. */
     List<Command> endings() {
         return role().endings();
+    }
+
+    /** Returns whether this is a fault that another item also starts, and both are active at some time. */
+    boolean repeats(TimelineItem other) {
+        return role().isFaultStart() && command.equals(other.command) && start < other.end && other.start < end;
     }
 
     /** Returns whether a command ends this interval and all others of the same lane and effect. */

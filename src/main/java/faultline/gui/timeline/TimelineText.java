@@ -7,7 +7,7 @@ import faultline.gui.theme.UiText;
 import faultline.world.Command;
 
 /** Describes the items of the time line in the user's language. */
-final class TimelineText {
+public final class TimelineText {
 
     private TimelineText() {}
 
@@ -30,7 +30,7 @@ final class TimelineText {
     }
 
     /** Returns the name, or a short one for a change of the controller, whose name has all of its settings. */
-    static String title(TimelineItem item) {
+    public static String title(TimelineItem item) {
         return item.command() instanceof Command.ConfigureController ? Messages.get("timeline.controller") : name(item);
     }
 

@@ -8,7 +8,12 @@ import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ForkedEdits;
 import faultline.gui.text.Messages;
+import faultline.gui.timeline.CommandRole;
+import faultline.gui.timeline.TimelineItem;
+import faultline.gui.timeline.TimelineText;
 import faultline.world.Collision;
+import faultline.world.CommandResult;
+import java.util.List;
 
 /** Reports the effects of an edit on the run, and why an edit or Run has none. */
 final class EditNotifier implements WorkspaceListener {
@@ -39,6 +44,16 @@ final class EditNotifier implements WorkspaceListener {
     /** Explains why the run does not show that an edit has been undone or redone. */
     void editChangedScenario(String name, boolean redone) {
         notes.show(Messages.get(redone ? "edit.redoneInScenario" : "edit.undoneInScenario", name));
+    }
+
+    /** Says that a fault has been added to an equal one, since the list of faults then only has one more such row. */
+    void editMade(List<CommandResult> results) {
+        results.stream()
+                // The inverse contains what adds the faults that there were before.
+                .filter(result -> result.inverse().contains(result.command())
+                        && CommandRole.of(result.command()).isFaultStart())
+                .map(result -> TimelineText.title(TimelineItem.from(result.command(), 0)))
+                .forEach(fault -> notes.show(Messages.get("faults.again", fault)));
     }
 
     /** Explains that undoing an edit does not undo a collision that happened after it. */

@@ -200,6 +200,7 @@ public final class MainWindow extends JFrame {
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.follow(workspace, runController);
         undoController.setUndoListener(editNotifier::editUndone);
+        undoController.setEditListener(editNotifier::editMade);
         undoController.setScenarioListener(editNotifier::editChangedScenario);
     }
 

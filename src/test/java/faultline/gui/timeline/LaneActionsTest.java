@@ -466,4 +466,19 @@ class LaneActionsTest {
                     item.getText());
         }
     }
+
+    @Test
+    void aFaultThatOverlapsAnEqualOneIsNoted() {
+        TimelineItem equal = TimelineItem.from(new Command.InjectFault("left", STUCK), 0);
+        runOnEdt(() -> {
+            editor.add(equal.withTimes(END, 20), null);
+            editor.add(TimelineItem.from(new Command.InjectFault("left", new Fault.Stuck(0.4)), 5), null);
+            editor.add(TimelineItem.from(new Command.InjectFault("front", STUCK), 5), null);
+            assertEquals(List.of(), lanes.notes());
+            editor.add(equal.withTimes(END - 1, END), null);
+        });
+        assertEquals(
+                List.of("\"left: stuck 0.30 m\" overlaps an equal fault; an end is that of the older one"),
+                lanes.notes());
+    }
 }

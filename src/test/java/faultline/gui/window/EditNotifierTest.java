@@ -12,6 +12,9 @@ import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.Workspace;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.CommandResult;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -57,5 +60,25 @@ class EditNotifierTest {
     void aRunThatHasFailedAtItsStartCannotBeMovedToAnEarlierTime() {
         runOnEdt(notifier::failedRunResumed);
         assertEquals(List.of("The run has failed at its start; restart it with F5"), shown);
+    }
+
+    private static CommandResult executed(Command command, Command... before) {
+        List<Command> inverse = new ArrayList<>(List.of(new Command.ClearFaults("left")));
+        inverse.addAll(List.of(before));
+        return new CommandResult.Executed(1, command, inverse);
+    }
+
+    @Test
+    void aFaultThatIsAddedToAnEqualOneIsNoted() {
+        Command bias = new Command.InjectFault("left", new Fault.Bias(0.1));
+        Command stuck = new Command.InjectFault("left", new Fault.Stuck(0.4));
+        Command off = new Command.SwitchSensor("left", false);
+        runOnEdt(() -> {
+            notifier.editMade(List.of(executed(bias), executed(bias, stuck), executed(off, off)));
+            assertEquals(List.of(), shown);
+            notifier.editMade(List.of(executed(bias, stuck, bias)));
+        });
+        assertEquals(
+                List.of("\"left: bias 0.10 m\" was active already; each of the equal faults has its own end"), shown);
     }
 }
