@@ -127,17 +127,24 @@ final class LaneActions {
     }
 
     /**
-     * Adds the copied item at a time, in the selected lane if it can be there, unless the scenario lacks its subject,
-     * which is reported.
+     * Adds the copied item at a time: an interval in the selected lane, a mark in its own one. Reports if an interval
+     * cannot be in that lane, or if the scenario lacks the subject of the item.
      */
     void paste(double start) {
         copiedItem(start).ifPresent(item -> {
-            if (editor.hasSubjectOf(item)) {
-                addAndSelect(item);
-            } else {
+            if (!editor.hasSubjectOf(item)) {
                 editor.reportNoSubject(item);
+            } else if (isMisplaced(item)) {
+                editor.reportMisplaced(item, view.selectedLane());
+            } else {
+                addAndSelect(item);
             }
         });
+    }
+
+    /** Returns whether the selected lane cannot have an interval. */
+    private boolean isMisplaced(TimelineItem item) {
+        return item.isInterval() && !item.lane().equals(view.selectedLane());
     }
 
     private Optional<TimelineItem> copiedItem(double start) {
@@ -209,7 +216,9 @@ final class LaneActions {
         menu.addSeparator();
         add(menu, "timeline.menu.cut", item, this::cut);
         add(menu, "timeline.menu.copy", item, this::copy);
-        boolean pasteable = copiedItem(time).filter(editor::hasSubjectOf).isPresent();
+        boolean pasteable = copiedItem(time)
+                .filter(copied -> editor.hasSubjectOf(copied) && !isMisplaced(copied))
+                .isPresent();
         add(menu, "timeline.menu.paste", pasteable, () -> paste(time));
         add(menu, "timeline.menu.duplicate", item, this::duplicate);
         add(menu, "timeline.menu.delete", item, this::delete);

@@ -136,6 +136,11 @@ public final class TimelineEditor {
         notes.accept(Messages.get("timeline.paste.noSubject", TimelineText.title(item)));
     }
 
+    /** Reports that an item is not pasted because a lane cannot have it. */
+    void reportMisplaced(TimelineItem item, Lane lane) {
+        notes.accept(Messages.get("timeline.paste.misplaced", TimelineText.title(item), lane.label()));
+    }
+
     /** The items that are selected after an undo and after a redo, null for none. */
     private record Selections(TimelineItem afterUndo, TimelineItem afterRedo) {}
 

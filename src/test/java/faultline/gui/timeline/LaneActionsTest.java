@@ -481,4 +481,17 @@ class LaneActionsTest {
                 List.of("\"left: stuck 0.30 m\" overlaps an equal fault; an end is that of the older one"),
                 lanes.notes());
     }
+
+    @Test
+    void aFaultIsNotPastedIntoALaneThatCannotHaveIt() {
+        runOnEdt(() -> {
+            actions.copy();
+            view.select(1, LaneLayout.NONE);
+            actions.paste(13.29);
+        });
+        assertEquals(List.of(START, END), times());
+        assertEquals(
+                List.of("\"left: stuck 0.30 m\" is not pasted: it cannot be in the lane \"other\""), lanes.notes());
+        assertFalse(callOnEdt(() -> menuItem("Paste here").isEnabled()));
+    }
 }
