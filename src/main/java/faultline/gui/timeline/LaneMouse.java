@@ -10,9 +10,10 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 
 /**
- * The mouse on the lanes: a drag in a lane draws a fault, a drag of a bar or a mark moves it, a drag of a bar's end
- * moves the end. A double click edits, or adds a fault or a change of the controller. The wheel zooms in time with Ctrl
- * and moves in time with Shift, as the middle button does; otherwise it scrolls the lanes.
+ * The mouse on the lanes: a drag in a lane draws a fault, a drag of a bar or a mark moves it, also to another lane that
+ * can have it, a drag of a bar's end moves the end. A double click edits, or adds a fault or a change of the
+ * controller. The wheel zooms in time with Ctrl and moves in time with Shift, as the middle button does; otherwise it
+ * scrolls the lanes.
  */
 final class LaneMouse extends MouseAdapter {
 
@@ -29,6 +30,10 @@ final class LaneMouse extends MouseAdapter {
     private MouseEvent pressed;
     /** The time at that press, which may have been scrolled out of view since, seconds. */
     private double pressedTime;
+    /** The lanes at that press: those with a preview may have other heights. */
+    private LaneLayout pressedLanes;
+    /** Whether the mouse has been moved in time since that press. */
+    private boolean movedInTime;
     /** The last x coordinate of the mouse while the middle button moves the lanes in time. */
     private int panX;
 
@@ -95,6 +100,8 @@ final class LaneMouse extends MouseAdapter {
             view.select(lane, hit == null ? LaneLayout.NONE : hit.index());
             pressed = SwingUtilities.isLeftMouseButton(event) && !event.isPopupTrigger() ? event : null;
             pressedTime = view.axis().timeAt(event.getX());
+            pressedLanes = lanes;
+            movedInTime = false;
         }
         showMenuIfWanted(event);
     }
@@ -114,12 +121,29 @@ final class LaneMouse extends MouseAdapter {
             return;
         }
         view.updateModel();
-        boolean dragging =
-                pressed != null && (isDragging() || Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE);
-        if (dragging) {
+        if (pressed == null) {
+            return;
+        }
+        movedInTime |= Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE;
+        if (movedInTime || isDragging() || isInAnotherLane(event.getY())) {
             scrollTo(event.getX());
             dragged(event).ifPresent(view::setPreview);
         }
+    }
+
+    /** Returns whether the whole selected item is held and can be in another lane, at a y coordinate. */
+    private boolean isInAnotherLane(int y) {
+        return hit != null
+                && hit.part() == LaneLayout.ItemPart.BODY
+                && view.selectedItem()
+                        .filter(item -> !inLaneAt(y, item).equals(item))
+                        .isPresent();
+    }
+
+    /** Returns an item in the lane at a y coordinate, or an equal one if it cannot be there. */
+    private TimelineItem inLaneAt(int y, TimelineItem item) {
+        int lane = pressedLanes.laneAt(y);
+        return lane == LaneLayout.NONE ? item : item.inLane(pressedLanes.lanes().get(lane));
     }
 
     /** Moves the lanes in time by the distance of the mouse from the visible part, so that a drag can continue. */
@@ -140,8 +164,8 @@ final class LaneMouse extends MouseAdapter {
             case START -> actions.withEnds(item, snap(item.start() + by), item.end());
             case END -> actions.withEnds(item, item.start(), to);
             case BODY -> {
-                double start = snap(Math.max(0, item.start() + by));
-                yield actions.withEnds(item, start, item.end() + start - item.start());
+                double start = movedInTime ? snap(Math.max(0, item.start() + by)) : item.start();
+                yield actions.withEnds(inLaneAt(event.getY(), item), start, item.end() + start - item.start());
             }
         });
     }

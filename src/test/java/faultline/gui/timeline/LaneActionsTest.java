@@ -224,13 +224,18 @@ class LaneActionsTest {
 
     /** Sends an event of the left button at a time in the first lane. */
     private void drag(int type, double time) {
+        drag(type, time, 0);
+    }
+
+    /** Sends an event of the left button at a time in a lane. */
+    private void drag(int type, double time, int lane) {
         view.dispatchEvent(new MouseEvent(
                 view,
                 type,
                 0,
                 InputEvent.BUTTON1_DOWN_MASK,
                 (int) view.axis().x(time),
-                view.lanes().laneTop(0) + view.lanes().laneHeight(0) / 2,
+                view.lanes().laneTop(lane) + view.lanes().laneHeight(lane) / 2,
                 1,
                 false,
                 MouseEvent.BUTTON1));
@@ -493,5 +498,29 @@ class LaneActionsTest {
         assertEquals(
                 List.of("\"left: stuck 0.30 m\" is not pasted: it cannot be in the lane \"other\""), lanes.notes());
         assertFalse(callOnEdt(() -> menuItem("Paste here").isEnabled()));
+    }
+
+    @Test
+    void aDragMovesAFaultToAnotherLaneThatCanHaveIt() {
+        runOnEdt(() -> {
+            view.setSize(800, 100);
+            List<Lane> shown = List.of(new Lane.SensorLane("left"), new Lane.SensorLane("front"), Lane.OTHER);
+            view.update(shown, view.axis(), 0);
+            double middle = (START + END) / 2;
+            drag(MouseEvent.MOUSE_PRESSED, middle, 0);
+            drag(MouseEvent.MOUSE_DRAGGED, middle, 2);
+            assertEquals(Optional.empty(), view.preview(), "it cannot be there");
+            drag(MouseEvent.MOUSE_DRAGGED, middle, 1);
+            drag(MouseEvent.MOUSE_RELEASED, middle, 1);
+            TimelineItem front = new TimelineItem(new Command.InjectFault("front", STUCK), START, END);
+            assertEquals(List.of(front), editor.model().items());
+            assertEquals(Optional.of(front), view.selectedItem());
+            drag(MouseEvent.MOUSE_PRESSED, middle, 1);
+            drag(MouseEvent.MOUSE_DRAGGED, middle + 10, 0);
+            drag(MouseEvent.MOUSE_RELEASED, middle + 10, 0);
+            assertEquals(
+                    new Lane.SensorLane("left"), editor.model().items().get(0).lane());
+            assertTrue(editor.model().items().get(0).start() > START + 9);
+        });
     }
 }
