@@ -49,11 +49,11 @@ public final class MapFollower {
      */
     private static final double COARSENESS = 0.04;
 
-    /**
-     * The least margin between the turning circle and the planned distance, metres. The map is no more exact than a few
-     * cells of 2.5 cm.
-     */
+    /** The margin that the planned distance leaves around the circle in which the robot turns, metres. */
     private static final double TURNING_MARGIN = 0.07;
+
+    /** The margin does not make the planned distance larger than this, because passages may be narrow, metres. */
+    private static final double MAX_WITH_MARGIN = 0.3;
 
     /** The amount by which the wall may be farther away than wanted, metres; surfaces beyond it are not the wall. */
     private static final double WALL_WITHIN = 0.35;
@@ -245,11 +245,13 @@ public final class MapFollower {
     }
 
     /**
-     * Returns the planned distance from the centre to the nearest surface in the map, metres. It leaves a margin about
-     * the circle in which the robot turns, even if a smaller distance is wanted.
+     * Returns the planned distance from the centre to the nearest surface in the map, metres. It leaves room to turn,
+     * and a margin around that of a small robot, even if a smaller distance is wanted.
      */
     private double plannedDistance() {
-        return Math.max(Steering.turningRadius(robot) + TURNING_MARGIN, wantedCentreDistance - COARSENESS);
+        double radius = Steering.turningRadius(robot);
+        double least = Math.max(radius, Math.min(radius + TURNING_MARGIN, MAX_WITH_MARGIN));
+        return Math.max(least, wantedCentreDistance - COARSENESS);
     }
 
     /** Returns the wanted distance, and that of the nearest surface in the map, measured in the same way. */

@@ -28,6 +28,12 @@ final class StateEstimate {
     /** An object beside the path is nearer than the followed wall by at least this, metres. */
     private static final double NEARER_THAN_WALL = 0.03;
 
+    /**
+     * A wall that is wanted within this of the circle that the robot's corners describe could be taken for an object in
+     * the way, metres.
+     */
+    private static final double NEAR_WALL = 0.09;
+
     /** The number of standard deviations by which the nearest of many readings is nearer than their mean. */
     private static final double MINIMUM_BIAS_FACTOR = 3;
 
@@ -90,8 +96,7 @@ final class StateEstimate {
         front = frontMemory.withRememberedRange(currentFront);
         double rolled = odometer.deltaDistance();
         double turn = odometer.deltaHeading();
-        boolean seesWall = left.detects() && Math.abs(frontLeftBehindWall()) <= SAME_WALL_TOLERANCE;
-        frontLeftMemory.update(frontLeft, left, currentFront, seesWall, rolled, turn);
+        frontLeftMemory.update(frontLeft, left, currentFront, seesNearWall(), rolled, turn);
         leftMemory.update(left, SensorView.NONE, frontLeft, false, rolled, turn);
     }
 
@@ -162,13 +167,20 @@ final class StateEstimate {
     }
 
     /**
-     * Forgets what the front left sensor has seen during a spin if it now sees nothing before the wall that the robot
-     * has been aligned with: the spin has carried that wall through the cone.
+     * Forgets what the front left sensor has seen during a spin if it now sees the wall that the robot has been aligned
+     * with, near the robot: the spin has carried that wall through the cone.
      */
     void forgetWallOfSpin() {
-        if (seesNothingBeforeWall()) {
+        if (seesNearWall()) {
             frontLeftMemory.clear();
         }
+    }
+
+    /** Returns whether the left sensor and the front left one see the same wall, which is wanted near the robot. */
+    private boolean seesNearWall() {
+        return wantedCentreDistance() <= robot().boundingRadius() + NEAR_WALL
+                && left.detects()
+                && Math.abs(frontLeftBehindWall()) <= SAME_WALL_TOLERANCE;
     }
 
     /** Returns whether the left sensor sees a wall, and the front left one that wall or nothing as near. */

@@ -128,8 +128,10 @@ class StateEstimateTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, false", "-0.03, true"})
-    void aWallThatASpinHasCarriedThroughTheFrontLeftConeIsForgotten(double farther, boolean isRemembered) {
+    @CsvSource({"0.12, 0, false", "0.12, -0.03, true", "0.25, 0, true"})
+    void aNearWallThatASpinHasCarriedThroughTheFrontLeftConeIsForgotten(
+            double distance, double farther, boolean isRemembered) {
+        turning.configure(ControllerSpec.WallFollowing.DEFAULT.withDistance(distance));
         turnAndSee(0, Map.of("front-left", 0.05));
         turnAndSee(1, Map.of("left", 0.12, "front-left", BESIDE + farther));
         turning.forgetWallOfSpin();
