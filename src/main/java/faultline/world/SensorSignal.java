@@ -70,17 +70,18 @@ final class SensorSignal {
      */
     boolean update(long tick, double dt, double lastReported) {
         int same = countLeadingActive();
-        boolean noneEnds = same == active.size();
-        if (noneEnds && same == faults.size()) {
+        if (same == active.size() && same == faults.size()) {
             return false;
         }
         boolean before = changesOptics();
-        List<ActiveFault> now = noneEnds ? new ArrayList<>(active) : new ArrayList<>();
-        Map<Fault, Queue<ActiveFault>> continuing = noneEnds ? Map.of() : continuing();
-        for (Fault fault : faults.subList(now.size(), faults.size())) {
-            Queue<ActiveFault> equal = continuing.getOrDefault(fault, new ArrayDeque<>());
+        Map<Fault, Integer> ending = countEnding(same);
+        int kept = isOneOf(ending, active.subList(0, same)) ? 0 : same;
+        Map<Fault, Queue<ActiveFault>> continuing = continuing(active.subList(kept, active.size()), ending);
+        List<ActiveFault> now = new ArrayList<>(active.subList(0, kept));
+        for (Fault fault : faults.subList(kept, faults.size())) {
+            Queue<ActiveFault> equal = continuing.get(fault);
             now.add(
-                    equal.isEmpty()
+                    equal == null || equal.isEmpty()
                             ? new ActiveFault(fault, new FaultContext(tick, dt, lastReported))
                             : equal.remove());
         }
@@ -88,14 +89,25 @@ final class SensorSignal {
         return before || changesOptics();
     }
 
-    /** Returns the active faults that do not end: of equal ones the newest, oldest first. */
-    private Map<Fault, Queue<ActiveFault>> continuing() {
+    /** Returns how many of each fault end, of those that end, given how many faults at the start are the same. */
+    private Map<Fault, Integer> countEnding(int same) {
         Map<Fault, Integer> ending = new HashMap<>();
-        active.forEach(each -> ending.merge(each.fault(), 1, Integer::sum));
-        faults.forEach(fault -> ending.merge(fault, -1, Integer::sum));
+        active.subList(same, active.size()).forEach(each -> ending.merge(each.fault(), 1, Integer::sum));
+        faults.subList(same, faults.size()).forEach(fault -> ending.merge(fault, -1, Integer::sum));
+        ending.values().removeIf(count -> count <= 0);
+        return ending;
+    }
+
+    private static boolean isOneOf(Map<Fault, Integer> ending, List<ActiveFault> some) {
+        return !ending.isEmpty() && some.stream().anyMatch(each -> ending.containsKey(each.fault()));
+    }
+
+    /** Returns the faults that do not end: of equal ones the newest, oldest first. */
+    private static Map<Fault, Queue<ActiveFault>> continuing(List<ActiveFault> some, Map<Fault, Integer> ending) {
+        Map<Fault, Integer> left = new HashMap<>(ending);
         Map<Fault, Queue<ActiveFault>> continuing = new HashMap<>();
-        for (ActiveFault each : active) {
-            if (ending.merge(each.fault(), -1, Integer::sum) < 0) {
+        for (ActiveFault each : some) {
+            if (left.merge(each.fault(), -1, Integer::sum) < 0) {
                 continuing
                         .computeIfAbsent(each.fault(), fault -> new ArrayDeque<>())
                         .add(each);
