@@ -31,15 +31,12 @@ public final class ExitNotice {
         assert EventQueue.isDispatchThread();
         this.exit = exit;
         timer = new Timer(delayMillis, event -> show());
+        timer.setRepeats(false);
         timer.start();
     }
 
     private void show() {
-        if (dialog != null && dialog.isShowing()) {
-            return;
-        }
         close();
-        timer.restart();
         String exitNow = Messages.get("exit.now");
         String[] answers = {Messages.get("exit.wait"), exitNow};
         JOptionPane pane = new JOptionPane(
@@ -55,6 +52,8 @@ public final class ExitNotice {
         pane.addPropertyChangeListener(JOptionPane.VALUE_PROPERTY, answer -> {
             if (exitNow.equals(answer.getNewValue())) {
                 exit.run();
+            } else {
+                timer.restart();
             }
         });
         dialog.setVisible(true);
