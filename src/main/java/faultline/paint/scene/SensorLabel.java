@@ -27,6 +27,9 @@ record SensorLabel(String text, boolean isNumber, Rectangle2D box, Color colour)
     /** The places within a cone for labels that have no room at its arc, as shares of its length. */
     private static final double[] INNER_PLACES = {0.75, 0.5};
 
+    /** The number of labels after which a further one may cover others, because comparisons take long. */
+    private static final int MAX_COMPARED = 100;
+
     /** What a label must be in and must not cover, pixels. */
     private record Room(Rectangle2D picture, Rectangle2D robot) {
         boolean isFree(Rectangle2D box) {
@@ -95,7 +98,8 @@ record SensorLabel(String text, boolean isNumber, Rectangle2D box, Color colour)
             }
             Optional<Rectangle2D> free = boxes.stream()
                     .filter(room::isFree)
-                    .filter(box -> used.stream().noneMatch(other -> box.intersects(other.box())))
+                    .filter(box ->
+                            used.size() > MAX_COMPARED || used.stream().noneMatch(other -> box.intersects(other.box())))
                     .findFirst();
             if (free.isEmpty() && !isNumber) {
                 free = boxes.stream().filter(room::isFree).findFirst().or(() -> Optional.of(boxes.get(INSIDE)));
