@@ -25,8 +25,8 @@ public final class Degrees {
     private Degrees() {}
 
     /**
-     * {@return the number of radians nearest to the shortest decimal number of degrees that rounds to a finite double}
-     * This is the result for the text 0.1 if the double is 0.1. It does not depend on the JDK, while
+     * {@return the number of radians nearest to a finite double, rounded to the fewest digits that give the same
+     * double} This is the result for the text 0.1 if the double is 0.1. It does not depend on the JDK, while
      * {@link Double#toString(double)} does.
      *
      * @param degrees the number of degrees, finite
