@@ -73,7 +73,8 @@ class ExamplePlansTest {
     @CsvSource({
         "wanted-distance, 0052-steps-away-from-a-wall, 3010001 to 3010100",
         "room-to-turn, 0052-steps-away-from-a-wall, 3030001 to 3030100",
-        "replaced-follower, 0043-one-odometer, 3040001 to 3040120"
+        "replaced-follower, 0043-one-odometer, 3040001 to 3040120",
+        "near-walls, 0053-near-walls, 3050001 to 3050100"
     })
     void theDecisionsNameTheRoomsOfTheirPlans(String name, String page, String rooms) throws Exception {
         CampaignPlan plan = PlanFiles.read(Path.of("scenarios/campaigns", name + ".xml"));

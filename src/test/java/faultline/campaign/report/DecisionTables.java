@@ -11,13 +11,14 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The tables of decisions 0043 and 0052, made of the csv files in docs/results/decisions; {@link #main} puts them into
- * the texts. The files in the folder {@code before} have the same cells of an earlier version.
+ * The tables of decisions 0043, 0052 and 0053, made of the csv files in docs/results/decisions; {@link #main} puts them
+ * into the texts. The files in the folder {@code before} have the same cells of an earlier version.
  */
 final class DecisionTables {
 
     /** The decisions that have tables, by their files. */
-    static final List<String> PAGES = List.of("0043-one-odometer.md", "0052-steps-away-from-a-wall.md");
+    static final List<String> PAGES =
+            List.of("0043-one-odometer.md", "0052-steps-away-from-a-wall.md", "0053-near-walls.md");
 
     private static final String BEGIN =
             "<!-- The tables down to the next comment are made by src/conf/decision-figures. -->\n";
@@ -60,6 +61,9 @@ final class DecisionTables {
         Path folder = docs.resolve("results/decisions");
         if (page.startsWith("0043")) {
             return "\n" + new DecisionTables(folder, "replaced-follower").alarms() + "\n";
+        }
+        if (page.startsWith("0053")) {
+            return "\n" + new DecisionTables(folder, "near-walls").nearWalls() + "\n";
         }
         DecisionTables rooms = new DecisionTables(folder, "wanted-distance");
         DecisionTables empty = new DecisionTables(folder, "wanted-distance-empty");
@@ -123,6 +127,24 @@ final class DecisionTables {
             List<String> cells = new ArrayList<>(List.of(robot));
             for (Map<String, String> fault : List.of(left, front, none)) {
                 cells.addAll(List.of(contacts(find(now, fault)), contacts(find(before, fault))));
+            }
+            addRow(out, cells);
+        }
+        return out.toString();
+    }
+
+    private String nearWalls() {
+        StringBuilder out = new StringBuilder("| wanted, m | healthy: carried on | before | `left` dies: contacts |"
+                + " before | `front` dies: contacts | before | `front-left` dies: contacts | before |\n"
+                + "|---|---|---|---|---|---|---|---|---|\n");
+        for (String distance : levels("controller_distance_m")) {
+            Map<String, String> none = Map.of("controller_distance_m", distance, "fault_kind", "none");
+            List<String> cells =
+                    new ArrayList<>(List.of(distance, carriedOn(find(now, none)), carriedOn(find(before, none))));
+            for (String sensor : List.of("left", "front", "front-left")) {
+                Map<String, String> fails =
+                        Map.of("controller_distance_m", distance, "fault_kind", "off", "fault_sensor", sensor);
+                cells.addAll(List.of(contacts(find(now, fails)), contacts(find(before, fails))));
             }
             addRow(out, cells);
         }
