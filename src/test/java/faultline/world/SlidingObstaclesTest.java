@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -93,5 +94,14 @@ class SlidingObstaclesTest {
         return geometry.contains(body.frame().position())
                 || geometry.parts().stream()
                         .anyMatch(part -> BoxDistance.between(body, part).distance() == 0);
+    }
+
+    @Test
+    void theEffectOfAnyOtherCommandIsTheCommand() {
+        World world = new World(new WorldSpec(4, 4, true, 1, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
+        Command off = new Command.SwitchSensor("front", false);
+        assertEquals(off, world.execute(off).effect());
+        Command refused = new Command.RemoveObstacle("none");
+        assertEquals(refused, world.execute(refused).effect());
     }
 }
