@@ -167,8 +167,8 @@ final class StateEstimate {
     }
 
     /**
-     * Forgets what the front left sensor has seen during a spin if it now sees the wall that the robot has been aligned
-     * with, near the robot: the spin has carried that wall through the cone.
+     * Forgets all that the front left sensor has seen if it now sees the wall that the robot has been aligned with,
+     * near the robot: the spin has carried that wall through the cone.
      */
     void forgetWallOfSpin() {
         if (seesNearWall()) {
