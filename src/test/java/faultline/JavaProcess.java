@@ -105,6 +105,13 @@ public final class JavaProcess {
                 .start();
     }
 
+    /** Starts a class for long with a heap of at most a size, such as {@code 512m}; errors are part of the output. */
+    public static Process startWithHeap(String size, String mainClass, List<String> arguments) throws IOException {
+        return new ProcessBuilder(command(List.of("-Xmx" + size), classPath(), mainClass, arguments))
+                .redirectErrorStream(true)
+                .start();
+    }
+
     /** Starts a class and waits until it has written its first byte to standard output. */
     public static Process startAndAwaitOutput(String mainClass, List<String> arguments) throws IOException {
         Process process = builder(mainClass, arguments)

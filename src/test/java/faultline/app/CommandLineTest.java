@@ -383,9 +383,7 @@ class CommandLineTest {
         text.append("\"/></world><robot x=\"1\" y=\"1\"/></scenario>");
         Path file = folder.resolve("long.xml");
         Files.writeString(file, text);
-        ProcessBuilder builder = JavaProcess.longBuilder("faultline.app.Main", List.of("run", file.toString()));
-        builder.command().add(1, "-Xmx12m");
-        Process process = builder.redirectErrorStream(true).start();
+        Process process = JavaProcess.startWithHeap("12m", "faultline.app.Main", List.of("run", file.toString()));
         assertEquals("faultline: there is not enough memory\n", JavaProcess.output(process));
         assertEquals(3, process.waitFor());
     }

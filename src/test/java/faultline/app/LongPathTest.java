@@ -32,16 +32,15 @@ class LongPathTest {
     }
 
     private Process run(String heap) throws IOException {
-        ProcessBuilder builder = JavaProcess.longBuilder(
+        return JavaProcess.startWithHeap(
+                heap,
                 "faultline.app.Main",
                 List.of("run", folder.resolve("corridor.xml").toString(), "--trace", trace.toString()));
-        builder.command().add(1, heap);
-        return builder.redirectErrorStream(true).start();
     }
 
     @Test
     void thereIsNoCoverageAlongAPathOfTooManyPlaces() throws Exception {
-        Process process = run("-Xmx1g");
+        Process process = run("1g");
         String output = JavaProcess.output(process);
         assertTrue(output.contains("\ncoverage: none\n"), output);
         assertTrue(
@@ -55,7 +54,7 @@ class LongPathTest {
 
     @Test
     void aCoverageThatNeedsTooMuchMemoryKeepsTheOutputs() throws Exception {
-        Process process = run("-Xmx64m");
+        Process process = run("64m");
         assertEquals("faultline: there is not enough memory\n", JavaProcess.output(process));
         assertEquals(ExitCode.RUN_FAILED, process.waitFor());
         assertEquals(1502, Files.readAllLines(trace).size());

@@ -116,9 +116,7 @@ class HugeFilesTest {
 
     @Test
     void everyFileIsCheckedInTimeAndInHalfAGigabyte() throws Exception {
-        ProcessBuilder builder = JavaProcess.longBuilder(FileCheck.class.getName(), List.of());
-        builder.command().add(1, "-Xmx512m");
-        Process process = builder.redirectErrorStream(true).start();
+        Process process = JavaProcess.startWithHeap("512m", FileCheck.class.getName(), List.of());
         assertEquals("checked\n", JavaProcess.output(process));
         assertEquals(0, process.waitFor());
     }

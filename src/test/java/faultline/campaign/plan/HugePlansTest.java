@@ -106,9 +106,7 @@ class HugePlansTest {
 
     @Test
     void everyPlanIsCheckedInTimeAndInHalfAGigabyte() throws Exception {
-        ProcessBuilder builder = JavaProcess.longBuilder(PlanChecks.class.getName(), List.of());
-        builder.command().add(1, "-Xmx512m");
-        Process process = builder.redirectErrorStream(true).start();
+        Process process = JavaProcess.startWithHeap("512m", PlanChecks.class.getName(), List.of());
         assertEquals("checked\n", JavaProcess.output(process));
         assertEquals(0, process.waitFor());
     }
