@@ -8,13 +8,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import faultline.CpuTime;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.FutureTask;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class FaultSequenceTest {
 
@@ -45,37 +46,55 @@ class FaultSequenceTest {
         assertEquals(sequences, lists);
     }
 
-    @Test
-    void twoThreadsCanAddToTheSameSequence() throws Exception {
-        List<FaultSequence<Integer>> common = new ArrayList<>();
-        for (int i = 0; i < 20_000; i++) {
-            common.add(FaultSequence.copyOf(List.of(0)));
+    /** A fault whose hash, which is computed within each change of a sequence, can start another change. */
+    private static final class HashedFault {
+        private Optional<Thread> other = Optional.empty();
+
+        @Override
+        public int hashCode() {
+            other.filter(thread -> thread.getState() == Thread.State.NEW).ifPresent(HashedFault::startAndAwaitRest);
+            return 1;
         }
-        AtomicInteger arrived = new AtomicInteger();
-        FutureTask<List<FaultSequence<Integer>>> others = new FutureTask<>(() -> addTogether(common, 2, arrived));
-        new Thread(others).start();
-        List<FaultSequence<Integer>> own = addTogether(common, 1, arrived);
-        assertEquals(Collections.nCopies(common.size(), List.of(0, 1, 3)), own);
-        assertEquals(Collections.nCopies(common.size(), List.of(0, 2, 3)), others.get());
+
+        @Override
+        public boolean equals(Object object) {
+            return this == object;
+        }
+
+        /** Starts a thread and waits until it waits or has ended. */
+        private static void startAndAwaitRest(Thread thread) {
+            thread.start();
+            while (thread.getState() == Thread.State.RUNNABLE) {
+                Thread.onSpinWait();
+            }
+        }
     }
 
-    /** Adds a fault and then 3 to each sequence, at the same time as another thread. */
-    private static List<FaultSequence<Integer>> addTogether(
-            List<FaultSequence<Integer>> common, int fault, AtomicInteger arrived) {
-        List<FaultSequence<Integer>> made = new ArrayList<>();
-        try {
-            for (FaultSequence<Integer> sequence : common) {
-                arrived.incrementAndGet();
-                while (arrived.get() < 2 * (made.size() + 1)) {
-                    Thread.yield();
-                }
-                made.add(sequence.with(fault).with(3));
-            }
-        } finally {
-            // The other thread does not wait for one that has failed.
-            arrived.addAndGet(2 * common.size());
+    @ParameterizedTest
+    @CsvSource({"false, false", "false, true", "true, false", "true, true"})
+    void aThreadCanChangeASequenceWhileAnotherOneChangesIt(boolean removes, boolean otherRemoves) throws Exception {
+        HashedFault hashed = new HashedFault();
+        List<Object> faults = removes ? List.of(0, hashed) : List.of(0);
+        FaultSequence<Object> common = FaultSequence.copyOf(faults);
+        assertEquals(Optional.empty(), common.without(1), "the first removal computes all hashes");
+        FutureTask<List<Object>> others =
+                new FutureTask<>(() -> (otherRemoves ? common.without(0).orElseThrow() : common.with(2)).with(3));
+        hashed.other = Optional.of(new Thread(others));
+        FaultSequence<Object> own = (removes ? common.without(hashed).orElseThrow() : common.with(hashed)).with(4);
+        assertEquals(removes ? List.of(0, 4) : List.of(0, hashed, 4), own);
+        assertEquals(expected(faults, otherRemoves), others.get(1, TimeUnit.MINUTES));
+        assertEquals(faults, common);
+    }
+
+    private static List<Object> expected(List<Object> faults, boolean removes) {
+        List<Object> expected = new ArrayList<>(faults);
+        if (removes) {
+            expected.remove((Object) 0);
+        } else {
+            expected.add(2);
         }
-        return made;
+        expected.add(3);
+        return expected;
     }
 
     /** The motors of all runs of a process start with the same empty sequence. */
