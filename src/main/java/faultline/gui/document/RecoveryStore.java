@@ -194,14 +194,9 @@ public final class RecoveryStore {
     }
 
     /**
-     * Returns the edits of a process that no longer runs; empty if there are none that can be read. Until they are
-     * adopted, discarded or released, no other process finds them.
+     * Returns the edits of a process that no longer runs, but not those of files that were found before; empty if there
+     * are none that can be read. Until they are adopted, discarded or released, no other process finds them.
      */
-    Optional<RecoveredFile> findOrphan() throws IOException {
-        return findOrphan(Set.of());
-    }
-
-    /** Returns edits as {@link #findOrphan()} does, but not those of the given files, which were found before. */
     synchronized Optional<RecoveredFile> findOrphan(Set<Path> foundBefore) throws IOException {
         release();
         for (Path file : orphans()) {

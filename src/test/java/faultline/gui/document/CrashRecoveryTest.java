@@ -26,6 +26,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -84,9 +85,9 @@ class CrashRecoveryTest {
         Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
         autosave(dying);
-        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        Await.until("the kept edits", () -> dying.findOrphan(Set.of()).isPresent());
         RecoveryStore.RecoveredFile recovered =
-                new RecoveryStore(folder.resolve("kept")).findOrphan().orElseThrow();
+                new RecoveryStore(folder.resolve("kept")).findOrphan(Set.of()).orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
         assertEquals(edited, recovered.scenario());
         runOnEdt(() -> documentStore.open(file));
@@ -107,9 +108,9 @@ class CrashRecoveryTest {
         edit();
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
         autosave(dying);
-        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        Await.until("the kept edits", () -> dying.findOrphan(Set.of()).isPresent());
         Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
-        RecoveryStore.RecoveredFile recovered = dying.findOrphan().orElseThrow();
+        RecoveryStore.RecoveredFile recovered = dying.findOrphan(Set.of()).orElseThrow();
         runOnEdt(() -> documentStore.recover(recovered, () -> {}, () -> {}));
         Await.until("the edits", () -> workspace.file().equals(Optional.of(file.toAbsolutePath())));
         assertSaveIsQuestioned(change -> assertNull(change.problem()));
@@ -180,7 +181,7 @@ class CrashRecoveryTest {
     void theEditsOfAWindowThatStillRunsAreNotOffered() throws IOException {
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
         own.save(null, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
-        assertEquals(Optional.empty(), own.findOrphan());
+        assertEquals(Optional.empty(), own.findOrphan(Set.of()));
     }
 
     @Test
@@ -191,10 +192,10 @@ class CrashRecoveryTest {
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
         own.save(null, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         own.delete();
-        RecoveryStore.RecoveredFile recovered = own.findOrphan().orElseThrow();
+        RecoveryStore.RecoveredFile recovered = own.findOrphan(Set.of()).orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
         own.adopt(recovered);
-        assertEquals(Optional.empty(), own.findOrphan());
+        assertEquals(Optional.empty(), own.findOrphan(Set.of()));
         assertEquals(4, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
     }
 
@@ -206,18 +207,19 @@ class CrashRecoveryTest {
         Path origin = kept.resolve((DEAD - 1) + "-0.origin");
         for (String damage : List.of("\0", "")) {
             Files.writeString(origin, damage);
-            assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
+            assertEquals(
+                    Optional.empty(), first.findOrphan(Set.of()).orElseThrow().origin());
         }
         Files.write(origin, new byte[] {(byte) 0xff});
-        assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
+        assertEquals(Optional.empty(), first.findOrphan(Set.of()).orElseThrow().origin());
         Files.delete(origin);
-        assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
+        assertEquals(Optional.empty(), first.findOrphan(Set.of()).orElseThrow().origin());
         Files.writeString(kept.resolve((DEAD - 1) + "-0.xml"), "damaged too");
         new RecoveryStore(kept, DEAD, Instant.EPOCH)
                 .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         assertEquals(
                 Optional.of(file.toAbsolutePath()),
-                first.findOrphan().orElseThrow().origin());
+                first.findOrphan(Set.of()).orElseThrow().origin());
     }
 
     @Test
@@ -229,9 +231,9 @@ class CrashRecoveryTest {
         RecoveryStore own = new RecoveryStore(kept);
         try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE)) {
             channel.lock();
-            assertEquals(Optional.empty(), own.findOrphan());
+            assertEquals(Optional.empty(), own.findOrphan(Set.of()));
         }
-        assertTrue(own.findOrphan().isPresent());
+        assertTrue(own.findOrphan(Set.of()).isPresent());
     }
 
     @Test
@@ -241,13 +243,13 @@ class CrashRecoveryTest {
                 .save(file, null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         RecoveryStore first = new RecoveryStore(kept);
         RecoveryStore second = new RecoveryStore(kept);
-        assertTrue(first.findOrphan().isPresent());
-        assertEquals(Optional.empty(), second.findOrphan());
+        assertTrue(first.findOrphan(Set.of()).isPresent());
+        assertEquals(Optional.empty(), second.findOrphan(Set.of()));
         first.release();
-        RecoveryStore.RecoveredFile found = second.findOrphan().orElseThrow();
-        assertEquals(Optional.empty(), first.findOrphan());
+        RecoveryStore.RecoveredFile found = second.findOrphan(Set.of()).orElseThrow();
+        assertEquals(Optional.empty(), first.findOrphan(Set.of()));
         second.discard(found);
-        assertEquals(Optional.empty(), first.findOrphan());
+        assertEquals(Optional.empty(), first.findOrphan(Set.of()));
         assertEquals(List.of(), recoveryFiles());
     }
 
@@ -276,7 +278,7 @@ class CrashRecoveryTest {
 
     private static boolean isFoundBy(RecoveryStore store) {
         try {
-            return store.findOrphan().isPresent();
+            return store.findOrphan(Set.of()).isPresent();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -336,7 +338,7 @@ class CrashRecoveryTest {
         assertEquals(1, callOnEdt(failures::size));
         Files.delete(obstacle);
         runOnEdt(autosave::saveUnsavedEdits);
-        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        Await.until("the kept edits", () -> dying.findOrphan(Set.of()).isPresent());
         assertEquals(1, callOnEdt(failures::size));
     }
 
@@ -379,9 +381,9 @@ class CrashRecoveryTest {
         edit();
         long written = System.nanoTime();
         autosave(dying);
-        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        Await.until("the kept edits", () -> dying.findOrphan(Set.of()).isPresent());
         runOnEdt(() -> documentStore.save(file, () -> {}));
-        Await.until("nothing to be kept", () -> dying.findOrphan().isEmpty());
+        Await.until("nothing to be kept", () -> dying.findOrphan(Set.of()).isEmpty());
         assertTrue(System.nanoTime() - written < Autosave.PERIOD_MILLIS * 1_000_000L, "not by the timer");
     }
 
@@ -390,7 +392,7 @@ class CrashRecoveryTest {
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
         edit();
         Autosave autosave = autosave(dying);
-        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        Await.until("the kept edits", () -> dying.findOrphan(Set.of()).isPresent());
         runOnEdt(autosave::close);
         Await.until("an empty folder", () -> recoveryFiles().isEmpty());
         autosave.write(null, null, callOnEdt(() -> workspace.scenario().orElseThrow()));

@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -133,6 +134,6 @@ class DeadRunTest {
         CountDownLatch written = new CountDownLatch(1);
         runOnEdt(() -> BackgroundTasks.runAfterAll(written::countDown));
         Await.until("the end of all writes", () -> written.getCount() == 0);
-        assertTrue(dying.findOrphan().isPresent());
+        assertTrue(dying.findOrphan(Set.of()).isPresent());
     }
 }

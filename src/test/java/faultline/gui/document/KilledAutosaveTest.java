@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,11 +52,11 @@ class KilledAutosaveTest {
             Process process = JavaProcess.startAndAwaitOutput(AutosaveLoop.class.getName(), List.of(folder.toString()));
             assertTrue(JavaProcess.killWithin(SAVE_MILLIS, process));
             RecoveryStore store = new RecoveryStore(folder);
-            RecoveryStore.RecoveredFile offered = store.findOrphan().orElseThrow();
+            RecoveryStore.RecoveredFile offered = store.findOrphan(Set.of()).orElseThrow();
             assertTrue(List.of("one", "other").contains(offered.scenario().name()));
             assertEquals(Optional.of(Path.of("room.xml").toAbsolutePath()), offered.origin());
             store.discard(offered);
-            assertEquals(Optional.empty(), store.findOrphan());
+            assertEquals(Optional.empty(), store.findOrphan(Set.of()));
         }
         try (Stream<Path> files = Files.list(folder)) {
             // At most the temporary file of each kill, which the next process deletes when it is old enough.

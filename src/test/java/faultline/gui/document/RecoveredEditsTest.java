@@ -14,6 +14,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -80,11 +81,11 @@ class RecoveredEditsTest {
 
     private void assertOfferedAgain(Autosave autosave) throws IOException {
         RecoveryStore next = new RecoveryStore(folder);
-        Await.until("the next offer", () -> next.findOrphan().isPresent());
+        Await.until("the next offer", () -> next.findOrphan(Set.of()).isPresent());
         next.release();
         runOnEdt(autosave::close);
         assertEquals(List.of(RecoveryPrompt.Answer.NOT_OPENED), answers);
-        assertTrue(next.findOrphan().isPresent(), "a window without these edits does not delete them");
+        assertTrue(next.findOrphan(Set.of()).isPresent(), "a window without these edits does not delete them");
     }
 
     @Test

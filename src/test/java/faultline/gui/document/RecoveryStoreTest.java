@@ -90,7 +90,7 @@ class RecoveryStoreTest {
         store.save(null, null, scenario);
         assertEquals(1, files.attempts, "a lock file beside saved edits would show for a moment that nobody uses them");
         assertEquals(3, countFiles(folder), "the edits, their origin and their base");
-        assertEquals(Optional.empty(), new RecoveryStore(unlockable, 0, Instant.EPOCH).findOrphan());
+        assertEquals(Optional.empty(), new RecoveryStore(unlockable, 0, Instant.EPOCH).findOrphan(Set.of()));
         store.delete();
         assertEquals(0, countFiles(folder));
     }

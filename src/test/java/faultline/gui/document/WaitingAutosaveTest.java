@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -73,8 +74,8 @@ class WaitingAutosaveTest {
         end.countDown();
         Await.until("the edit", autosave::hasEdits);
         RecoveryStore next = new RecoveryStore(folder);
-        Await.until("the recovery file", () -> next.findOrphan().isPresent());
-        Scenario found = next.findOrphan().orElseThrow().scenario();
+        Await.until("the recovery file", () -> next.findOrphan(Set.of()).isPresent());
+        Scenario found = next.findOrphan(Set.of()).orElseThrow().scenario();
         assertEquals(callOnEdt(workspace::scenario), Optional.of(found));
         next.release();
     }
