@@ -66,8 +66,7 @@ public final class FieldBorder extends AbstractBorder {
         return isFocused(field) ? colours.accent() : field.isEnabled() ? colours.border() : colours.line();
     }
 
-    /** Returns whether the text of a field is valid. */
-    public static boolean isValid(Component field) {
+    private static boolean isValid(Component field) {
         if (field instanceof JSpinner spinner && spinner.getEditor() instanceof JSpinner.DefaultEditor editor) {
             return editor.getTextField().isEditValid();
         }

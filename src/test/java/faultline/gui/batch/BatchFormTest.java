@@ -14,7 +14,8 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.form.FormDialog;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
-import faultline.gui.theme.FieldBorder;
+import faultline.gui.theme.FieldOutline;
+import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.Point;
@@ -186,20 +187,23 @@ class BatchFormTest {
 
     @Test
     void aWrongValueIsMarked() {
+        runOnEdt(Theme.LIGHT::install);
+        form = callOnEdt(() -> new BatchForm(scenario));
         type("Value of the fault: stuck", "0.8..0.2");
         type("Value of the fault: quantised", "0.8..0.2");
         type("Start of the fault", "5..");
-        assertFalse(isValid("Value of the fault: stuck"));
-        assertTrue(isValid("Value of the fault: quantised"), "the fault is not chosen");
-        assertFalse(isValid("Start of the fault"));
+        assertTrue(isMarked("Value of the fault: stuck"));
+        assertFalse(isMarked("Value of the fault: quantised"), "the fault is not chosen");
+        assertTrue(isMarked("Start of the fault"));
         type("Value of the fault: stuck", "0.2..0.8");
-        assertTrue(isValid("Value of the fault: stuck"));
+        assertFalse(isMarked("Value of the fault: stuck"));
         click("None");
-        assertTrue(isValid("Start of the fault"), "no fault starts");
+        assertFalse(isMarked("Start of the fault"), "no fault starts");
     }
 
-    private boolean isValid(String name) {
-        return callOnEdt(() -> FieldBorder.isValid(ComponentFinder.find(form, JTextField.class, name)));
+    private boolean isMarked(String name) {
+        JTextField field = callOnEdt(() -> ComponentFinder.find(form, JTextField.class, name));
+        return FieldOutline.colour(field).equals(Theme.LIGHT.colours().warning());
     }
 
     @Test
