@@ -28,12 +28,19 @@ public final class RunNavigator implements WorkspaceListener {
     private final Object replaying = new Object();
 
     private final RunExtent extent = new RunExtent();
-    /** Whether the setup has been changed, and no run with the change has started since. */
-    private boolean lacksChange;
-    /** Whether the run resumes after that. */
-    private boolean resuming;
+    private ChangeState change = ChangeState.INCLUDED;
     /** Whether changes at tick 0 are part of the setup, while the run has them as commands of its first tick. */
     private boolean lacksStart;
+
+    /** Whether the run has the last change of its setup. */
+    private enum ChangeState {
+        /** It has. */
+        INCLUDED,
+        /** No run with the change has started yet. */
+        AWAITED,
+        /** No run with the change has started yet; it resumes, or the present one if there will be none. */
+        AWAITED_TO_RESUME
+    }
 
     RunNavigator(Workspace workspace) {
         this.workspace = workspace;
@@ -66,7 +73,9 @@ public final class RunNavigator implements WorkspaceListener {
         if (isOpening()) {
             return;
         }
-        resuming = false;
+        if (change == ChangeState.AWAITED_TO_RESUME) {
+            change = ChangeState.AWAITED;
+        }
         workspace.fire(listener -> listener.seekStarted(shown));
         LongConsumer preparation = ticks -> {
             if (ticks == 0 && target > 0) {
@@ -104,7 +113,7 @@ public final class RunNavigator implements WorkspaceListener {
             SimulationSetup before = now.document().initial().setup();
             now.document().changeForRestart(UnaryOperator.identity());
             if (workspace.isOpen(now.document())) {
-                lacksChange = true;
+                awaitChange();
                 lacksStart = true;
                 workspace.fire(listener -> listener.editsIncluded(before));
                 workspace.fire(WorkspaceListener::titleChanged);
@@ -126,7 +135,9 @@ public final class RunNavigator implements WorkspaceListener {
 
     /** Notes that the run lacks a change of the setup if the restart or the move that includes it does not succeed. */
     void awaitChange() {
-        lacksChange = true;
+        if (change == ChangeState.INCLUDED) {
+            change = ChangeState.AWAITED;
+        }
     }
 
     /**
@@ -135,11 +146,13 @@ public final class RunNavigator implements WorkspaceListener {
      */
     void resimulate() {
         workspace.openDocument().ifPresent(now -> {
-            lacksChange = true;
+            awaitChange();
             if (isOpening()) {
                 return;
             }
-            resuming |= now.session().status().running();
+            if (now.session().status().running()) {
+                change = ChangeState.AWAITED_TO_RESUME;
+            }
             discardFuture();
             LongConsumer preparation = ticks -> now.document().prepareResimulation();
             ToLongFunction<Journal> present = past -> now.tickOfScenario(past.ticks());
@@ -236,23 +249,18 @@ public final class RunNavigator implements WorkspaceListener {
 
     @Override
     public void taskFinished() {
-        if (lacksChange) {
+        if (change != ChangeState.INCLUDED) {
             endResimulationAndResume();
             workspace.fire(WorkspaceListener::setupChangeDeferred);
         }
     }
 
     private void endResimulationAndResume() {
-        boolean resume = resuming;
-        endResimulation();
+        boolean resume = change == ChangeState.AWAITED_TO_RESUME;
+        change = ChangeState.INCLUDED;
         if (resume) {
             workspace.openDocument().ifPresent(now -> now.session().resume());
         }
-    }
-
-    private void endResimulation() {
-        lacksChange = false;
-        resuming = false;
     }
 
     /** Moves the run back by one tick, asynchronously, and pauses it there; does nothing while a task is active. */
@@ -285,7 +293,7 @@ public final class RunNavigator implements WorkspaceListener {
     @Override
     public void scenarioOpened() {
         lacksStart = false;
-        endResimulation();
+        change = ChangeState.INCLUDED;
         workspace.openDocument().map(now -> now.document().initial()).ifPresent(extent::start);
     }
 
