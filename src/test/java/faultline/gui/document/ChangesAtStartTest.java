@@ -1,6 +1,5 @@
 package faultline.gui.document;
 
-import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -14,16 +13,15 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.EditedRun;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,10 +37,11 @@ class ChangesAtStartTest {
     private static final Command MOVE = new Command.MoveObstacle("cabinet", MOVED);
     private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
 
-    private Workspace workspace;
-    private RunController run;
-    private UndoController edits;
-    private CommandSender sender;
+    private final EditedRun edited = new EditedRun();
+    private final Workspace workspace = edited.workspace();
+    private final RunController run = edited.controller();
+    private final UndoController edits = edited.edits();
+    private final CommandSender sender = edited.sender();
 
     /** The ways in which a run leaves its start. */
     private enum Departure {
@@ -58,23 +57,9 @@ class ChangesAtStartTest {
         }
     }
 
-    @BeforeEach
-    void open() {
-        runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            sender = new CommandSender(run::send);
-            edits = new UndoController(sender, () -> {});
-            edits.follow(workspace, run);
-            workspace.addListener(new TaskFailures());
-            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
-        });
-        SessionFrames.awaitScenario(workspace);
-    }
-
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     @ParameterizedTest
@@ -140,7 +125,7 @@ class ChangesAtStartTest {
     @ParameterizedTest
     @MethodSource("undoneChanges")
     void undoAfterwardsChangesTheStart(Command change) {
-        Scenario original = scenario();
+        Scenario original = edited.scenario();
         runOnEdt(() -> {
             sender.send(change);
             run.navigator().seek(TICKS);
@@ -174,11 +159,7 @@ class ChangesAtStartTest {
     }
 
     private SimulationSetup setup() {
-        return scenario().setup();
-    }
-
-    private Scenario scenario() {
-        return callOnEdt(() -> workspace.scenario().orElseThrow());
+        return edited.scenario().setup();
     }
 
     private void awaitTicks(long ticks) {

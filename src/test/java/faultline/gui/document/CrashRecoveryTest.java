@@ -11,6 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.BackgroundThreads;
+import faultline.gui.edit.EditedRun;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
@@ -52,6 +53,7 @@ class CrashRecoveryTest {
     private Path folder;
 
     private Path file;
+    private EditedRun edited;
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
@@ -64,19 +66,15 @@ class CrashRecoveryTest {
     @BeforeEach
     void openAFile() throws IOException {
         file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
-        workspace = callOnEdt(Workspace::new);
-        runOnEdt(() -> {
-            workspace.addListener(new FailingListener());
-            run = new RunController(workspace);
-            documentStore = new DocumentStore(workspace);
-            documentStore.open(file);
-        });
-        waitForTheFile();
+        edited = new EditedRun(file, new TaskFailures());
+        workspace = edited.workspace();
+        run = edited.controller();
+        documentStore = edited.documents();
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     @Test
@@ -550,17 +548,5 @@ class CrashRecoveryTest {
             SessionFrames.poll(workspace);
             return workspace.isChanged();
         });
-    }
-
-    private void waitForTheFile() {
-        Await.until("the scenario", () -> workspace.scenario().isPresent());
-    }
-
-    /** No task may fail. */
-    private static final class FailingListener implements WorkspaceListener {
-        @Override
-        public void taskFailed(TaskKind task, Path taskFile, Throwable failure) {
-            throw new AssertionError(failure);
-        }
     }
 }

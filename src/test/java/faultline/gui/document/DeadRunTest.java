@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.edit.EditedRun;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -32,9 +33,9 @@ class DeadRunTest {
     @TempDir
     private Path folder;
 
+    private EditedRun dead;
     private Workspace workspace;
     private RunController run;
-    private DocumentStore documentStore;
     private Scenario edited;
     private final List<Throwable> failures = new ArrayList<>();
     /** How often the user has been informed that the run cannot be resumed. */
@@ -43,27 +44,21 @@ class DeadRunTest {
     @BeforeEach
     void editAndDie() throws Exception {
         Path file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("room.xml"));
-        workspace = callOnEdt(Workspace::new);
-        documentStore = new DocumentStore(workspace);
-        run = callOnEdt(() -> new RunController(workspace));
-        runOnEdt(() -> {
-            workspace.addListener(new WorkspaceListener() {
-                @Override
-                public void taskFailed(TaskKind task, Path failed, Throwable failure) {
-                    failures.add(failure);
-                }
+        dead = new EditedRun(file, new WorkspaceListener() {
+            @Override
+            public void taskFailed(TaskKind task, Path failed, Throwable failure) {
+                failures.add(failure);
+            }
 
-                @Override
-                public void failedRunResumed() {
-                    refusals++;
-                }
-            });
-            documentStore.open(file);
+            @Override
+            public void failedRunResumed() {
+                refusals++;
+            }
         });
-        SessionFrames.awaitScenario(workspace);
-        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
-        Await.until("the edit", workspace::isChanged);
-        edited = callOnEdt(() -> workspace.scenario().orElseThrow());
+        workspace = dead.workspace();
+        run = dead.controller();
+        dead.send(new Command.SwitchSensor("left", false));
+        edited = dead.scenario();
         killTheRun();
     }
 
@@ -81,7 +76,7 @@ class DeadRunTest {
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        dead.close();
         assertEquals(List.of(), failures);
     }
 
@@ -96,16 +91,15 @@ class DeadRunTest {
     @Test
     void itsEditsCanBeSaved() throws Exception {
         Path copy = folder.resolve("copy.xml");
-        runOnEdt(() -> documentStore.save(copy, () -> {}));
+        runOnEdt(() -> dead.documents().save(copy, () -> {}));
         Await.until("the save", () -> !workspace.isChanged() || !failures.isEmpty());
         assertEquals(edited, Scenario.load(copy));
     }
 
     @Test
     void itCanBeRestartedWithItsEdits() {
-        runOnEdt(run::restart);
-        Await.until("the restart", () -> workspace.task().isEmpty());
-        assertEquals(edited, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        dead.restart();
+        assertEquals(edited, dead.scenario());
         runOnEdt(run::step);
         SessionFrames.awaitTick(workspace, 1);
     }
@@ -119,7 +113,7 @@ class DeadRunTest {
         });
         Await.until("the answer", () -> !answers.isEmpty());
         assertEquals(List.of(List.of()), answers);
-        assertEquals(edited, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        assertEquals(edited, dead.scenario());
     }
 
     @Test

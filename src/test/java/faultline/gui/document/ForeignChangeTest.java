@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.edit.EditedRun;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.SecondaryLoop;
@@ -37,6 +38,7 @@ class ForeignChangeTest {
     private Path folder;
 
     private Path file;
+    private EditedRun edited;
     private Workspace workspace;
     private DocumentStore documentStore;
     /** The answers of the file watch's question: whether the user keeps the open scenario. */
@@ -45,19 +47,16 @@ class ForeignChangeTest {
     @BeforeEach
     void editAFileThatAnotherProgramThenChanges() throws IOException {
         file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("room.xml"));
-        workspace = callOnEdt(Workspace::new);
-        documentStore = new DocumentStore(workspace);
-        RunController run = callOnEdt(() -> new RunController(workspace));
-        runOnEdt(() -> documentStore.open(file));
-        SessionFrames.awaitScenario(workspace);
-        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
-        Await.until("the edit", workspace::isChanged);
+        edited = new EditedRun(file, new TaskFailures());
+        workspace = edited.workspace();
+        documentStore = edited.documents();
+        edited.send(new Command.SwitchSensor("left", false));
         Files.writeString(file, Files.readString(file).replaceFirst("name=\"[^\"]*\"", "name=\"Other\""));
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     /** Saves the scenario, and returns the change that is asked about; null if it is saved without a question. */

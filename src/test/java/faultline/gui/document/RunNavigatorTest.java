@@ -18,6 +18,7 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.EditedRun;
 import faultline.gui.edit.ForkedEdits;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
@@ -54,6 +55,7 @@ class RunNavigatorTest {
 
     private final List<ForkedEdits> forks = new ArrayList<>();
     private final List<Long> undone = new ArrayList<>();
+    private EditedRun edited;
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
@@ -63,30 +65,27 @@ class RunNavigatorTest {
 
     @BeforeEach
     void editTwice() {
+        edited = new EditedRun(Path.of("scenarios/collision-on-purpose.xml"), new TaskFailures());
+        workspace = edited.workspace();
+        run = edited.controller();
+        documentStore = edited.documents();
+        sender = edited.sender();
+        edits = edited.edits();
         runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            documentStore = new DocumentStore(workspace);
-            sender = new CommandSender(run::send);
-            edits = new UndoController(sender, () -> {});
-            edits.follow(workspace, run);
-            workspace.addListener(new TaskFailures());
             edits.setForkListener(forks::add);
             edits.setUndoListener(undone::add);
-            documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
         });
-        SessionFrames.awaitScenario(workspace);
         original = pole();
-        stepTo(10);
+        edited.advanceTo(10);
         edit(new Command.MoveObstacle("pole", FIRST));
-        stepTo(20);
+        edited.advanceTo(20);
         edit(new Command.MoveObstacle("pole", SECOND));
-        stepTo(30);
+        edited.advanceTo(30);
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     @Test
@@ -98,7 +97,7 @@ class RunNavigatorTest {
         seek(5);
         assertEquals(original, pole());
         assertEquals(Optional.empty(), callOnEdt(edits::undoName));
-        stepTo(30);
+        edited.advanceTo(30);
         assertEquals(SECOND, pole());
         assertEquals(Optional.empty(), callOnEdt(edits::redoName));
         assertEquals(List.of(), forks, "nothing else happened than before");
@@ -270,7 +269,7 @@ class RunNavigatorTest {
         seek(5);
         edit(new Command.SetPlatform(0.2, 0.2, 0.4));
         assertEquals(List.of(new ForkedEdits(2, 0)), forks);
-        stepTo(30);
+        edited.advanceTo(30);
         assertEquals(original, pole(), "the edit is no longer executed");
         runOnEdt(edits::redo);
         waitForPole(FIRST);
@@ -291,7 +290,7 @@ class RunNavigatorTest {
     void anEditInThePastThatIsRefusedKeepsTheLaterOnes() {
         seek(5);
         runOnEdt(() -> sender.send(new Command.MoveObstacle("no-such-obstacle", FIRST)));
-        stepTo(30);
+        edited.advanceTo(30);
         assertEquals(SECOND, pole());
         assertEquals(List.of(), forks);
     }
@@ -320,7 +319,7 @@ class RunNavigatorTest {
     void anEditIsDoneAtATickBetweenItAndItsUndo() {
         runOnEdt(edits::undo);
         waitForPole(FIRST);
-        stepTo(40);
+        edited.advanceTo(40);
         seek(25);
         assertEquals(SECOND, pole());
         runOnEdt(edits::undo);
@@ -352,7 +351,7 @@ class RunNavigatorTest {
                 () -> workspace.task().orElseThrow().progress().fraction().orElse(0) > 1e-6);
         runOnEdt(workspace::cancelTask);
         assertEquals(Optional.empty(), callOnEdt(workspace::task));
-        assertEquals(30, tick());
+        assertEquals(30, edited.tick());
         runOnEdt(run::step);
         SessionFrames.awaitTick(workspace, 31);
         assertEquals(SECOND, pole());
@@ -368,7 +367,7 @@ class RunNavigatorTest {
         AtomicBoolean opened = new AtomicBoolean();
         runOnEdt(() -> documentStore.openGenerated(held, () -> opened.set(true)));
         Await.until("the scenario with the controllers", opened::get);
-        stepTo(3);
+        edited.advanceTo(3);
         controllers.hold();
         runOnEdt(() -> run.navigator().seek(2));
         Await.until("a replay in its first tick", () -> controllers.waiting.get() == 1);
@@ -376,7 +375,7 @@ class RunNavigatorTest {
             runOnEdt(() -> run.navigator().seek(2));
         }
         controllers.release();
-        Await.until("tick 2", () -> workspace.task().isEmpty() && tick() == 2);
+        Await.until("tick 2", () -> workspace.task().isEmpty() && edited.tick() == 2);
         assertEquals(3, controllers.started.get());
     }
 
@@ -461,7 +460,7 @@ class RunNavigatorTest {
     void aMoveThatIsCancelledLeavesARunWithoutTheUndoBefore() {
         runOnEdt(run::restart);
         Await.until("the restart", () -> workspace.task().isEmpty() && SessionFrames.tick(workspace) == 0);
-        stepTo(10);
+        edited.advanceTo(10);
         List<Integer> reports = countDeferredChanges();
         runOnEdt(() -> {
             workspace.addListener(new WorkspaceListener() {
@@ -524,18 +523,6 @@ class RunNavigatorTest {
     private void seek(long tick) {
         runOnEdt(() -> run.navigator().seek(tick));
         Await.until("tick " + tick, () -> workspace.task().isEmpty() && SessionFrames.tick(workspace) == tick);
-    }
-
-    private void stepTo(long tick) {
-        for (long now = tick(); now < tick; now++) {
-            runOnEdt(run::step);
-        }
-        SessionFrames.awaitTick(workspace, tick);
-        runOnEdt(() -> edits.runAdvanced(tick));
-    }
-
-    private long tick() {
-        return SessionFrames.tick(workspace);
     }
 
     /** Waits until the results of commands have edited the scenario. */

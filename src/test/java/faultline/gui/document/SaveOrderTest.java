@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
+import faultline.gui.edit.EditedRun;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -34,6 +35,7 @@ class SaveOrderTest {
 
     private Path file;
     private Path other;
+    private EditedRun edited;
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
@@ -46,35 +48,31 @@ class SaveOrderTest {
     void editAFile() throws IOException {
         file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("room.xml"));
         other = folder.resolve("other.xml");
-        workspace = callOnEdt(Workspace::new);
-        documentStore = new DocumentStore(workspace);
-        run = callOnEdt(() -> new RunController(workspace));
-        runOnEdt(() -> {
-            workspace.addListener(new WorkspaceListener() {
-                @Override
-                public void scenarioSaved(Path written) {
-                    saved.add(written);
-                }
+        edited = new EditedRun(file, new WorkspaceListener() {
+            @Override
+            public void scenarioSaved(Path written) {
+                saved.add(written);
+            }
 
-                @Override
-                public void saveSlow(Path written, BooleanSupplier writing) {
-                    slow.add(writing);
-                }
+            @Override
+            public void saveSlow(Path written, BooleanSupplier writing) {
+                slow.add(writing);
+            }
 
-                @Override
-                public void taskFailed(TaskKind task, Path written, Throwable failure) {
-                    failures.add(failure.getMessage());
-                }
-            });
-            documentStore.open(file);
+            @Override
+            public void taskFailed(TaskKind task, Path written, Throwable failure) {
+                failures.add(failure.getMessage());
+            }
         });
-        SessionFrames.awaitScenario(workspace);
+        workspace = edited.workspace();
+        run = edited.controller();
+        documentStore = edited.documents();
         rename("Edited");
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     private void rename(String name) {
@@ -156,7 +154,7 @@ class SaveOrderTest {
     void aScenarioFromAPipeIsSavedAsAFile() throws Exception {
         Path pipe = folder.resolve("pipe.xml");
         assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
-        Scenario scenario = callOnEdt(() -> workspace.scenario().orElseThrow());
+        Scenario scenario = edited.scenario();
         runOnEdt(() -> documentStore.open(pipe, () -> scenario));
         Await.until("the scenario", () -> workspace.file().equals(Optional.of(pipe)));
         runOnEdt(this::saveAsOther);

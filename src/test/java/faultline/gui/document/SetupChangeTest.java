@@ -16,8 +16,8 @@ import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
+import faultline.gui.edit.EditedRun;
 import faultline.gui.edit.SetupChange;
-import faultline.gui.edit.StoppedClock;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -48,6 +48,7 @@ class SetupChangeTest {
 
     private final List<String> deferred = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
+    private EditedRun edited;
     private Workspace workspace;
     private RunController run;
     private DocumentStore documentStore;
@@ -57,34 +58,29 @@ class SetupChangeTest {
 
     @BeforeEach
     void runAWhile() {
-        runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            documentStore = new DocumentStore(workspace);
-            sender = StoppedClock.sender(run::send);
-            edits = new UndoController(sender, () -> {});
-            edits.follow(workspace, run);
-            workspace.addListener(new WorkspaceListener() {
-                @Override
-                public void taskFailed(TaskKind task, Path file, Throwable failure) {
-                    failures.add(failure);
-                }
+        edited = new EditedRun(Path.of("scenarios/office.xml"), new WorkspaceListener() {
+            @Override
+            public void taskFailed(TaskKind task, Path file, Throwable failure) {
+                failures.add(failure);
+            }
 
-                @Override
-                public void setupChangeDeferred() {
-                    deferred.add("deferred");
-                }
-            });
-            documentStore.open(Path.of("scenarios/office.xml"));
+            @Override
+            public void setupChangeDeferred() {
+                deferred.add("deferred");
+            }
         });
-        SessionFrames.awaitScenario(workspace);
-        original = callOnEdt(() -> workspace.scenario().orElseThrow().setup());
-        stepTo(TICKS);
+        workspace = edited.workspace();
+        run = edited.controller();
+        documentStore = edited.documents();
+        sender = edited.sender();
+        edits = edited.edits();
+        original = edited.scenario().setup();
+        edited.advanceTo(TICKS);
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
         assertEquals(List.of(), failures);
     }
 
@@ -92,7 +88,7 @@ class SetupChangeTest {
     void aFaultInThePastIsSimulatedUpToThePresentTick() {
         long before = hash();
         setTimeline(List.of(new TimedCommand(0.2, FAULT)));
-        assertEquals(TICKS, tick());
+        assertEquals(TICKS, edited.tick());
         assertEquals(hashOf(original.withTimeline(List.of(new TimedCommand(0.2, FAULT)))), hash());
         assertNotEquals(before, hash());
         setTimeline(original.timeline());
@@ -102,9 +98,9 @@ class SetupChangeTest {
     @Test
     void aFutureFaultActsWhenTheRunReachesItsTime() {
         setTimeline(List.of(new TimedCommand(0.63, FAULT)));
-        stepTo(62);
+        edited.advanceTo(62);
         assertEquals(List.of(), faultsOfLeft());
-        stepTo(63);
+        edited.advanceTo(63);
         assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
     }
 
@@ -114,7 +110,7 @@ class SetupChangeTest {
 
     private void awaitMoreTicks() {
         Await.until("the run to resume", this::isRunning);
-        long tick = tick();
+        long tick = edited.tick();
         SessionFrames.awaitFrame(
                 workspace, "more ticks", frame -> frame.snapshot().tick() > tick);
     }
@@ -149,7 +145,7 @@ class SetupChangeTest {
         runOnEdt(() ->
                 sender.send(List.of(FAULT, SWITCH, new Command.MoveObstacle("copier", new Pose(3.3, 0.35, 0.5)))));
         Await.until("the edit", () -> edits.undoName().isPresent());
-        stepTo(70);
+        edited.advanceTo(70);
         List<TimedCommand> timeline = timeline();
         assertEquals(2, timeline.size() - original.timeline().size());
         List<TimedCommand> later = timeline.stream()
@@ -176,7 +172,7 @@ class SetupChangeTest {
         runOnEdt(() -> sender.send(new Command.MoveObstacle("copier", aside)));
         Await.until("the edit", () -> edits.undoName().isPresent());
         setTimeline(List.of(new TimedCommand(0.7, FAULT)));
-        assertEquals(TICKS, tick());
+        assertEquals(TICKS, edited.tick());
         assertEquals(aside, callOnEdt(() -> pose("copier")), "it shows before the next tick");
         runOnEdt(() -> sender.send(new Command.MoveObstacle("cabinet", new Pose(5, 5.7, 0))));
         Await.until("the second edit", () -> pose("cabinet").y() == 5.7);
@@ -194,7 +190,7 @@ class SetupChangeTest {
         List<TimedCommand> withFault = new ArrayList<>(timeline());
         withFault.add(new TimedCommand(0.9, FAULT));
         setTimeline(withFault);
-        assertEquals(TICKS, tick());
+        assertEquals(TICKS, edited.tick());
         assertFalse(isFrontOn(), "it shows before the next tick");
     }
 
@@ -313,17 +309,6 @@ class SetupChangeTest {
 
     private void waitForRun() {
         Await.until("the run", () -> workspace.task().isEmpty());
-    }
-
-    private void stepTo(long tick) {
-        for (long now = tick(); now < tick; now++) {
-            runOnEdt(run::step);
-        }
-        SessionFrames.awaitTick(workspace, tick);
-    }
-
-    private long tick() {
-        return SessionFrames.tick(workspace);
     }
 
     private long hash() {

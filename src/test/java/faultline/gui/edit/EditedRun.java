@@ -14,6 +14,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
 import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -22,11 +23,15 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 
-/** A run of the office, paused, that is edited, moved and restarted. Each call waits until it has taken effect. */
-final class EditedRun {
+/**
+ * A run, paused, that is edited, moved and restarted without a window. Each call waits until it has taken effect. The
+ * clock of the edits stands still.
+ */
+public final class EditedRun {
 
-    private Workspace workspace;
+    private final Workspace workspace = callOnEdt(Workspace::new);
     private RunController controller;
+    private DocumentStore documents;
     private CommandSender sender;
     private UndoController edits;
     private ScenarioEditor editor;
@@ -34,10 +39,16 @@ final class EditedRun {
     private SensorEditor sensors;
     private Optional<String> shownUndo = Optional.empty();
 
-    EditedRun() {
+    /** Opens the office. A task that fails ends the test. */
+    public EditedRun() {
+        this(Path.of("scenarios/office.xml"), new TaskFailures());
+    }
+
+    /** Opens a file with a listener, which takes the failures of tasks. */
+    public EditedRun(Path file, WorkspaceListener listener) {
         runOnEdt(() -> {
-            workspace = new Workspace();
             controller = new RunController(workspace);
+            documents = new DocumentStore(workspace);
             sender = StoppedClock.sender(controller::send);
             edits = new UndoController(sender, () -> shownUndo = edits.undoName());
             edits.follow(workspace, controller);
@@ -45,33 +56,37 @@ final class EditedRun {
             obstacles = new ObstacleEditor(workspace, editor);
             sensors = new SensorEditor(workspace, editor, note -> {});
             sender.setNaming(workspace::ofViews);
-            workspace.addListener(new TaskFailures());
-            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
+            workspace.addListener(listener);
+            documents.open(file);
         });
         SessionFrames.awaitScenario(workspace);
     }
 
-    void close() {
+    public void close() {
         runOnEdt(workspace::close);
     }
 
-    Workspace workspace() {
+    public Workspace workspace() {
         return workspace;
     }
 
-    RunController controller() {
+    public RunController controller() {
         return controller;
+    }
+
+    public DocumentStore documents() {
+        return documents;
     }
 
     ObstacleEditor obstacles() {
         return obstacles;
     }
 
-    CommandSender sender() {
+    public CommandSender sender() {
         return sender;
     }
 
-    UndoController edits() {
+    public UndoController edits() {
         return edits;
     }
 
@@ -80,7 +95,7 @@ final class EditedRun {
         return callOnEdt(() -> shownUndo);
     }
 
-    Scenario scenario() {
+    public Scenario scenario() {
         return callOnEdt(() -> workspace.scenario().orElseThrow());
     }
 
@@ -89,7 +104,7 @@ final class EditedRun {
     }
 
     /** Replaces the timeline of the scenario. */
-    void plan(List<TimedCommand> timeline) {
+    public void plan(List<TimedCommand> timeline) {
         runOnEdt(() -> controller.change(now -> now.withSetup(now.setup().withTimeline(timeline))));
         rest();
     }
@@ -127,7 +142,7 @@ final class EditedRun {
         }
     }
 
-    long tick() {
+    public long tick() {
         return SessionFrames.tick(workspace);
     }
 
@@ -140,11 +155,11 @@ final class EditedRun {
         runOnEdt(() -> edits.runAdvanced(end));
     }
 
-    void advanceTo(long tick) {
+    public void advanceTo(long tick) {
         advance(Math.toIntExact(tick - tick()));
     }
 
-    void send(Command... commands) {
+    public void send(Command... commands) {
         runOnEdt(() -> {
             edits.endEdit();
             sender.send(List.of(commands));
@@ -176,29 +191,29 @@ final class EditedRun {
         return refusal;
     }
 
-    void undo() {
+    public void undo() {
         runOnEdt(edits::undo);
         rest();
     }
 
-    void redo() {
+    public void redo() {
         runOnEdt(edits::redo);
         rest();
     }
 
-    void restart() {
+    public void restart() {
         runOnEdt(controller::restart);
         rest();
     }
 
-    void seek(long tick) {
+    public void seek(long tick) {
         runOnEdt(() -> controller.navigator().seek(tick));
         rest();
         SessionFrames.awaitTick(workspace, tick);
     }
 
     /** Waits for the end of the last edit, and takes the ids of the run as the window does. */
-    void rest() {
+    public void rest() {
         Await.until(
                 "the end of the edit",
                 () -> !workspace.awaitsCommands() && workspace.task().isEmpty());

@@ -17,7 +17,6 @@ import faultline.gui.EdtChecker;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
-import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.robot.RobotSpec;
@@ -53,75 +52,54 @@ class SensorEditorTest {
     private final List<String> notes = new ArrayList<>();
     private final List<String> restored = new ArrayList<>();
     private final AtomicBoolean journalSaved = new AtomicBoolean();
-    private Workspace workspace;
-    private RunController run;
-    private DocumentStore documentStore;
-    private CommandSender sender;
-    private UndoController edits;
+    private final EditedRun edited = new EditedRun();
+    private final Workspace workspace = edited.workspace();
+    private final RunController run = edited.controller();
+    private final DocumentStore documentStore = edited.documents();
+    private final CommandSender sender = edited.sender();
+    private final UndoController edits = edited.edits();
     private SensorEditor sensors;
     private SimulationSetup original;
 
     @BeforeEach
     void runAWhile() {
         runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            documentStore = new DocumentStore(workspace);
-            sender = StoppedClock.sender(run::send);
-            edits = new UndoController(sender, () -> {});
             sensors = new SensorEditor(workspace, new ScenarioEditor(run, edits), notes::add);
-            edits.follow(workspace, run);
-            workspace.addListener(new TaskFailures());
             workspace.addListener(new WorkspaceListener() {
                 @Override
                 public void journalSaved(Path file) {
                     journalSaved.set(true);
                 }
             });
-            documentStore.open(Path.of("scenarios/office.xml"));
         });
-        SessionFrames.awaitScenario(workspace);
         original = setup();
-        for (int i = 0; i < TICKS; i++) {
-            runOnEdt(run::step);
-        }
-        SessionFrames.awaitTick(workspace, TICKS);
+        edited.advanceTo(TICKS);
     }
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     private SimulationSetup setup() {
-        return callOnEdt(() -> workspace.scenario().orElseThrow().setup());
-    }
-
-    private void waitForRun() {
-        Await.until(
-                "the run", () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+        return edited.scenario().setup();
     }
 
     private Optional<String> add() {
         Optional<String> id = callOnEdt(sensors::add);
-        waitForRun();
+        edited.rest();
         return id;
     }
 
     private Optional<String> duplicate(String id) {
         Optional<String> copy = callOnEdt(() -> sensors.duplicate(id));
-        waitForRun();
+        edited.rest();
         return copy;
     }
 
     private void remove(String id) {
         runOnEdt(() -> sensors.remove(id, () -> restored.add(id)));
-        waitForRun();
-    }
-
-    private void undo() {
-        runOnEdt(edits::undo);
-        waitForRun();
+        edited.rest();
     }
 
     private void send(Command command) {
@@ -158,11 +136,11 @@ class SensorEditorTest {
                 setup().robot().sensorIds());
         assertRunIsThatOf(setup());
         assertEquals(Optional.of("Add sensor-9"), callOnEdt(edits::undoName));
-        undo();
+        edited.undo();
         assertEquals(original, setup());
         assertRunIsThatOf(original);
         runOnEdt(edits::redo);
-        waitForRun();
+        edited.rest();
         assertEquals(9, idsInTheRun().size());
         assertEquals(Optional.of("sensor-10"), add());
     }
@@ -175,7 +153,7 @@ class SensorEditorTest {
         SensorSpec copy = setup().robot().sensor("front-2").orElseThrow();
         assertEquals(front, copy.withId("front").withBearing(front.bearing()));
         assertEquals(Optional.empty(), duplicate("none"));
-        undo();
+        edited.undo();
         assertEquals(original, setup());
     }
 
@@ -188,7 +166,7 @@ class SensorEditorTest {
                 new TimedCommand(0.3, new Command.ClearFaults("left")),
                 new TimedCommand(0.3, new Command.SwitchSensor("rear", false)));
         runOnEdt(() -> run.change(old -> old.withSetup(old.setup().withTimeline(timeline))));
-        waitForRun();
+        edited.rest();
         SimulationSetup before = setup();
         remove("left");
         assertEquals(List.of("Timeline entries deleted with left: 2"), notes);
@@ -196,7 +174,7 @@ class SensorEditorTest {
         assertEquals(7, setup().robot().sensors().size());
         assertRunIsThatOf(setup());
         assertEquals(List.of(), restored);
-        undo();
+        edited.undo();
         assertEquals(List.of("left"), restored);
         assertEquals(before, setup());
         assertRunIsThatOf(before);
@@ -213,7 +191,7 @@ class SensorEditorTest {
         assertFalse(
                 setup().timeline().stream().anyMatch(timed -> timed.command().equals(FAULT)));
         assertRunIsThatOf(setup());
-        undo();
+        edited.undo();
         assertEquals(before, setup());
         assertEquals(farther, setup().robot().sensor("left").orElseThrow());
     }
@@ -225,7 +203,7 @@ class SensorEditorTest {
             sender.send(List.of(FAULT, new Command.ConfigureSensor(farther)));
             sensors.remove("left", () -> {});
         });
-        waitForRun();
+        edited.rest();
         Await.until("the results of the commands", () -> edits.undoName().equals(Optional.of("2 changes")));
         assertEquals(7, setup().robot().sensors().size());
         assertRunIsThatOf(setup());
@@ -240,14 +218,14 @@ class SensorEditorTest {
         send(new Command.ConfigureSensor(
                 original.robot().sensor("left").orElseThrow().withRange(1.5)));
         runOnEdt(() -> run.navigator().seek(10));
-        waitForRun();
+        edited.rest();
         SimulationSetup before = setup();
         remove("left");
         runOnEdt(() -> edits.runAdvanced(TICKS + 1));
         assertNotEquals(Optional.of("Delete left"), callOnEdt(edits::undoName), "the edit is above it again");
         runOnEdt(edits::undo);
         Await.until("the refusal", () -> edits.undoName().equals(Optional.of("Delete left")));
-        undo();
+        edited.undo();
         assertEquals(before, setup());
     }
 
@@ -255,25 +233,25 @@ class SensorEditorTest {
     @Test
     void settingsKeepTheirTicksWhenTheDeletionOfTheirSensorIsUndone() {
         send(new Command.ConfigureSensor(left().withRange(1.5)));
-        step(20);
+        edited.advance(20);
         send(new Command.ConfigureSensor(left().withRange(1.2)));
-        step(20);
+        edited.advance(20);
         SimulationSetup before = setup();
         long hash = SessionFrames.trajectoryHash(workspace);
         remove("left");
-        step(5);
-        undo();
+        edited.advance(5);
+        edited.undo();
         assertEquals(before, setup());
         seek(TICKS + 40);
         assertEquals(hash, SessionFrames.trajectoryHash(workspace));
         seek(10);
         assertEquals(0.8, sensorInTheRun("left").range(), "not yet changed");
-        step(40);
+        edited.advance(40);
         assertEquals(1.5, sensorInTheRun("left").range());
         runOnEdt(edits::redo);
-        waitForRun();
-        undo();
-        step(20);
+        edited.rest();
+        edited.undo();
+        edited.advance(20);
         assertEquals(1.2, sensorInTheRun("left").range(), "also when the deletion was redone and undone");
         undoAllEdits();
         assertEquals(original, setup());
@@ -290,8 +268,8 @@ class SensorEditorTest {
         SimulationSetup before = setup();
         remove("left");
         runOnEdt(run::restart);
-        waitForRun();
-        undo();
+        edited.rest();
+        edited.undo();
         assertEquals(before, setup());
         assertEquals(1.5, sensorInTheRun("left").range());
         undoAllEdits();
@@ -307,8 +285,8 @@ class SensorEditorTest {
         SensorSpec other = callOnEdt(() -> sensors.add(1.0))
                 .flatMap(id -> setup().robot().sensor(id))
                 .orElseThrow();
-        waitForRun();
-        step(20);
+        edited.rest();
+        edited.advance(20);
         assertEquals("sensor-9", other.id());
         assertEquals(other, setup().robot().sensor("sensor-9").orElseThrow());
         assertEquals(other, sensorInTheRun("sensor-9"));
@@ -323,10 +301,10 @@ class SensorEditorTest {
         seek(10);
         remove("left");
         send(new Command.SetPlatform(0.2, 0.15, 0.3));
-        undo();
-        undo();
+        edited.undo();
+        edited.undo();
         assertEquals(original.robot().sensors(), setup().robot().sensors());
-        step(60);
+        edited.advance(60);
         assertEquals(0.8, sensorInTheRun("left").range());
         assertRunIsAsPlanned();
     }
@@ -340,16 +318,16 @@ class SensorEditorTest {
     @Test
     void settingsFollowAnotherNameOfTheirSensorThroughItsDeletion() {
         send(new Command.ConfigureSensor(left().withRange(1.5)));
-        step(10);
+        edited.advance(10);
         rename("left", "port");
         remove("port");
         rename("right", "port");
-        undo();
-        undo();
-        undo();
+        edited.undo();
+        edited.undo();
+        edited.undo();
         seek(10);
         assertEquals(0.8, sensorInTheRun("left").range());
-        step(60);
+        edited.advance(60);
         assertEquals(1.5, sensorInTheRun("left").range());
         undoAllEdits();
         assertEquals(original, setup());
@@ -357,7 +335,7 @@ class SensorEditorTest {
 
     private Optional<String> rename(String id, String newId) {
         Optional<String> refusal = callOnEdt(() -> sensors.rename(id, newId));
-        waitForRun();
+        edited.rest();
         return refusal;
     }
 
@@ -377,7 +355,7 @@ class SensorEditorTest {
     @Test
     void aRenamedSensorKeepsItsPlaceAndAllThatNamesIt() {
         runOnEdt(() -> run.change(old -> old.withSetup(old.setup().withTimeline(timelineAbout("left")))));
-        waitForRun();
+        edited.rest();
         SimulationSetup before = setup();
         long hash = SessionFrames.trajectoryHash(workspace);
         assertEquals(Optional.empty(), rename("left", "port side"));
@@ -388,11 +366,11 @@ class SensorEditorTest {
         assertRunIsThatOf(setup());
         assertEquals(hash, SessionFrames.trajectoryHash(workspace), "the name has no influence on the run");
         assertEquals(Optional.of("Rename left to port side"), callOnEdt(edits::undoName));
-        undo();
+        edited.undo();
         assertEquals(before, setup());
         assertRunIsThatOf(before);
         runOnEdt(edits::redo);
-        waitForRun();
+        edited.rest();
         assertEquals("port side", idsInTheRun().get(2));
     }
 
@@ -400,7 +378,7 @@ class SensorEditorTest {
     void aFileWithARenamedSensorIsValidAndRunsAsBefore() throws ScenarioException {
         String hash = Scenario.load(Path.of("scenarios/office.xml")).run().trajectoryHash();
         send(FAULT);
-        undo();
+        edited.undo();
         rename("front", "a & <b> 'ä'");
         rename("rear", "front");
         Path file = folder.resolve("renamed.xml");
@@ -436,7 +414,7 @@ class SensorEditorTest {
         SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
         send(new Command.ConfigureSensor(farther));
         send(FAULT);
-        step(20);
+        edited.advance(20);
         long hash = SessionFrames.trajectoryHash(workspace);
         rename("left", "port");
         assertEquals(hash, SessionFrames.trajectoryHash(workspace));
@@ -445,7 +423,7 @@ class SensorEditorTest {
                 setup().timeline().get(setup().timeline().size() - 1).command());
         seek(10);
         assertEquals(0.8, sensorInTheRun("port").range(), "not yet changed");
-        step(60);
+        edited.advance(60);
         assertEquals(1.5, sensorInTheRun("port").range());
         undoAllEdits();
         assertEquals(original, setup());
@@ -458,17 +436,17 @@ class SensorEditorTest {
         send(new Command.ConfigureSensor(farther));
         seek(10);
         rename("left", "port");
-        step(60);
+        edited.advance(60);
         assertEquals(1.5, sensorInTheRun("port").range());
         assertEquals(Optional.of("Range of port"), callOnEdt(edits::undoName));
         runOnEdt(edits::undo);
         Await.until("the undo", () -> edits.undoName().equals(Optional.of("Rename left to port")));
-        step(1);
+        edited.advance(1);
         assertEquals(0.8, sensorInTheRun("port").range());
         seek(5);
-        undo();
+        edited.undo();
         assertEquals(original, setup());
-        step(60);
+        edited.advance(60);
         assertEquals(1.5, sensorInTheRun("left").range(), "again as when the edit was made");
         undoAllEdits();
         assertEquals(original, setup());
@@ -482,7 +460,7 @@ class SensorEditorTest {
             sensors.rename("left", "port");
             sender.send(FAULT);
         });
-        waitForRun();
+        edited.rest();
         Await.until("both commands", () -> edits.undoName().equals(Optional.of("Fault in port")));
         assertEquals(1.5, setup().robot().sensor("port").orElseThrow().range());
         assertEquals(
@@ -526,23 +504,14 @@ class SensorEditorTest {
                 SessionFrames.frame(workspace).snapshot().robot().sensor(id).orElseThrow());
     }
 
-    private void step(int ticks) {
-        long end = SessionFrames.tick(workspace) + ticks;
-        for (int i = 0; i < ticks; i++) {
-            runOnEdt(run::step);
-        }
-        SessionFrames.awaitTick(workspace, end);
-        runOnEdt(() -> edits.runAdvanced(end));
-    }
-
     private void seek(long tick) {
         runOnEdt(() -> run.navigator().seek(tick));
-        waitForRun();
+        edited.rest();
     }
 
     private void undoAllEdits() {
         for (int i = 0; i < 10; i++) {
-            undo();
+            edited.undo();
             Await.until("the undo", () -> !workspace.awaitsCommands());
         }
         assertEquals(Optional.empty(), callOnEdt(edits::undoName));
@@ -598,7 +567,7 @@ class SensorEditorTest {
                         .mapToObj(i -> front.withId("s" + i).withMountPosition(new Vector2(0.1, 0)))
                         .toList());
         runOnEdt(() -> run.change(old -> old.withSetup(old.setup().withRobot(full))));
-        waitForRun();
+        edited.rest();
         assertEquals(Optional.empty(), add());
         assertEquals(Optional.empty(), duplicate("s0"));
         String note = "A robot can have at most " + ScenarioLimits.MAX_SENSORS + " sensors";
@@ -618,10 +587,10 @@ class SensorEditorTest {
         add();
         runOnEdt(sender::endGesture);
         runOnEdt(edits::undo);
-        waitForRun();
+        edited.rest();
         assertEquals(between, setup().robot());
         runOnEdt(edits::undo);
-        waitForRun();
+        edited.rest();
         assertEquals(before, setup().robot());
     }
 
@@ -637,11 +606,11 @@ class SensorEditorTest {
         runOnEdt(sender::endGesture);
         SessionFrames.awaitTick(workspace, TICKS + 3);
         runOnEdt(run::restart);
-        waitForRun();
+        edited.rest();
         assertEquals(3, setup().timeline().size());
         while (callOnEdt(edits::canUndo)) {
             runOnEdt(edits::undo);
-            waitForRun();
+            edited.rest();
         }
         assertEquals(List.of(), setup().timeline());
     }

@@ -5,22 +5,17 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.Await;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.SessionFrames;
-import faultline.gui.document.TaskFailures;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.CommandSender;
-import faultline.gui.edit.StoppedClock;
+import faultline.gui.edit.EditedRun;
 import faultline.gui.edit.UndoController;
 import faultline.sensor.Fault;
 import faultline.world.Command;
-import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 
@@ -31,62 +26,38 @@ class TimelineEditorTest {
     private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
     private static final TimedCommand SWITCH = new TimedCommand(5, new Command.SwitchSensor("right", false));
 
-    private Workspace workspace;
-    private RunController run;
-    private CommandSender sender;
-    private UndoController undo;
-    private TimelineEditor timeline;
-
-    @BeforeEach
-    void open() {
-        runOnEdt(() -> {
-            workspace = new Workspace();
-            run = new RunController(workspace);
-            sender = StoppedClock.sender(run::send);
-            undo = new UndoController(sender, () -> {});
-            timeline = new TimelineEditor(workspace, run, undo, note -> {});
-            undo.follow(workspace, run);
-            workspace.addListener(new TaskFailures());
-            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
-        });
-        SessionFrames.awaitScenario(workspace);
-    }
+    private final EditedRun edited = new EditedRun();
+    private final Workspace workspace = edited.workspace();
+    private final RunController run = edited.controller();
+    private final CommandSender sender = edited.sender();
+    private final UndoController undo = edited.edits();
+    private final TimelineEditor timeline = callOnEdt(() -> new TimelineEditor(workspace, run, undo, note -> {}));
 
     @AfterEach
     void close() {
-        runOnEdt(workspace::close);
+        edited.close();
     }
 
     private List<TimedCommand> commands() {
         return callOnEdt(() -> timeline.model().commands());
     }
 
-    private void advanceTo(long tick) {
-        for (long i = SessionFrames.tick(workspace); i < tick; i++) {
-            runOnEdt(run::step);
-        }
-        SessionFrames.awaitTick(workspace, tick);
-        runOnEdt(() -> undo.runAdvanced(tick));
-    }
-
     private void edit(Runnable edit) {
         runOnEdt(edit);
-        Await.until(
-                "the end of the edit",
-                () -> !workspace.awaitsCommands() && workspace.task().isEmpty());
+        edited.rest();
     }
 
     /** The fault is on the timeline since the run was moved before it, so it precedes the switch. */
     @Test
     void anEventOfTheRunIsAnItemAmongOthersWhenTheRunHasBeenMovedBeforeIt() {
-        advanceTo(20);
+        edited.advanceTo(20);
         edit(() -> sender.send(FAULT));
         TimedCommand fault = commands().get(0);
-        advanceTo(30);
+        edited.advanceTo(30);
         edit(() -> run.navigator().seek(15));
         SessionFrames.awaitTick(workspace, 15);
         edit(() -> timeline.add(TimelineItem.from(SWITCH.command(), SWITCH.time()), null));
-        advanceTo(40);
+        edited.advanceTo(40);
         edit(run::restart);
         assertEquals(List.of(fault, SWITCH), commands());
         edit(undo::undo);
@@ -102,7 +73,7 @@ class TimelineEditorTest {
     /** The run executes the timeline's commands of a tick before the fault, which the repair would remove otherwise. */
     @Test
     void commandsOfOneTimeKeepTheirOrderWhenAllStepsAreUndoneAndRedone() {
-        advanceTo(10);
+        edited.advanceTo(10);
         edit(() -> sender.send(FAULT));
         TimedCommand fault = commands().get(0);
         TimedCommand repair = new TimedCommand(fault.time(), new Command.ClearFaults("left"));
