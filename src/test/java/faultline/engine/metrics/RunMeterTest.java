@@ -87,7 +87,8 @@ class RunMeterTest {
         List<Vector2> zigzag = IntStream.rangeClosed(0, walls)
                 .mapToObj(i -> new Vector2(i % 2 * length, i * 0.0003))
                 .toList();
-        Obstacle wall = new Obstacle("zigzag", new ObstacleShape.WallShape(zigzag), new Pose(3.1, 1, 0));
+        // Near the robot, it would have millions of places.
+        Obstacle wall = new Obstacle("zigzag", new ObstacleShape.WallShape(zigzag), new Pose(100, 1, 0));
         SimulationSetup many =
                 SETUP.withWorld(new WorldSpec(3.7, 2.9, true, 3, List.of(wall))).withDuration(30);
         RunMeter meter = new RunMeter(many);
