@@ -182,15 +182,23 @@ class EventTableModelTest {
         runOnEdt(() -> rows.setRowFilter(new OddRows()));
         for (int i = 0; i < 2 * CHUNK; i++) {
             recordEvent(100_000 + i);
-            assertIterableEquals(
-                    callOnEdt(() -> IntStream.range(0, events.getRowCount())
-                            .mapToObj(events::eventAt)
-                            .filter(OddRows::isShown)
-                            .toList()),
-                    callOnEdt(() -> IntStream.range(0, table.getRowCount())
-                            .mapToObj(row -> events.eventAt(table.convertRowIndexToModel(row)))
-                            .toList()));
+            // The log forgets a chunk at the second event of each.
+            if (i % CHUNK < 4 || i % 50 == 0) {
+                assertTheTableShowsTheOddRows();
+            }
         }
+        assertTheTableShowsTheOddRows();
+    }
+
+    private void assertTheTableShowsTheOddRows() {
+        assertIterableEquals(
+                callOnEdt(() -> IntStream.range(0, events.getRowCount())
+                        .mapToObj(events::eventAt)
+                        .filter(OddRows::isShown)
+                        .toList()),
+                callOnEdt(() -> IntStream.range(0, table.getRowCount())
+                        .mapToObj(row -> events.eventAt(table.convertRowIndexToModel(row)))
+                        .toList()));
     }
 
     /** Hides the events at even tenths of a tick, and the divergence. */
