@@ -19,13 +19,12 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.BiFunction;
 import java.util.regex.Pattern;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
-/** Measures source files. */
+/** Measures source files, which are parsed once. */
 final class SourceMetrics {
 
     private static final Pattern QUALIFIED_TYPE = Pattern.compile("(?:javax?|faultline)(?:\\.[a-z]\\w*)+\\.[A-Z]\\w*");
@@ -34,18 +33,30 @@ final class SourceMetrics {
 
     private static final List<String> NEVER_WITH_LOCALE = List.of("formatted", "printf");
 
-    private SourceMetrics() {}
+    private final List<CompilationUnitTree> units = new ArrayList<>();
+    private final SourcePositions positions;
+
+    /** Parses source files. */
+    SourceMetrics(Collection<Path> files) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        try (StandardJavaFileManager manager =
+                compiler.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8)) {
+            JavacTask task = (JavacTask) compiler.getTask(
+                    null, manager, null, List.of("-proc:none"), null, manager.getJavaFileObjectsFromPaths(files));
+            positions = Trees.instance(task).getSourcePositions();
+            task.parse().forEach(units::add);
+        }
+    }
 
     /**
      * Returns the methods and constructors whose body is too long.
      *
-     * @param files source files
      * @param most how many lines are allowed from the opening brace to the closing one, both included
      * @return "file:line name: lines" for each
      */
-    static List<String> longMethods(Collection<Path> files, int most) throws IOException {
+    List<String> longMethods(int most) {
         List<String> found = new ArrayList<>();
-        scan(files, (unit, positions) -> new MethodMeter(unit, positions, most, found));
+        units.forEach(unit -> unit.accept(new MethodMeter(unit, positions, most, found), null));
         return found;
     }
 
@@ -53,12 +64,11 @@ final class SourceMetrics {
      * Returns the types that source files name with their packages instead of importing them. Comments and literals are
      * ignored.
      *
-     * @param files source files
      * @return "file:line name" for each
      */
-    static List<String> qualifiedTypes(Collection<Path> files) throws IOException {
+    List<String> qualifiedTypes() {
         List<String> found = new ArrayList<>();
-        scan(files, (unit, positions) -> new QualifiedTypeFinder(unit, positions, found));
+        units.forEach(unit -> unit.accept(new QualifiedTypeFinder(unit, positions, found), null));
         return found;
     }
 
@@ -66,28 +76,12 @@ final class SourceMetrics {
      * Returns the calls of methods that depend on the language of the machine although an argument could give another:
      * {@code String.format} would write the digits of that language, and {@code toLowerCase} its letters.
      *
-     * @param files source files
      * @return "file:line call" for each
      */
-    static List<String> localizedCalls(Collection<Path> files) throws IOException {
+    List<String> localizedCalls() {
         List<String> found = new ArrayList<>();
-        scan(files, (unit, positions) -> new LocalizedCallFinder(unit, positions, found));
+        units.forEach(unit -> unit.accept(new LocalizedCallFinder(unit, positions, found), null));
         return found;
-    }
-
-    private static void scan(
-            Collection<Path> files, BiFunction<CompilationUnitTree, SourcePositions, TreeScanner<Void, Void>> scanner)
-            throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        try (StandardJavaFileManager manager =
-                compiler.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8)) {
-            JavacTask task = (JavacTask) compiler.getTask(
-                    null, manager, null, List.of("-proc:none"), null, manager.getJavaFileObjectsFromPaths(files));
-            SourcePositions positions = Trees.instance(task).getSourcePositions();
-            for (CompilationUnitTree unit : task.parse()) {
-                unit.accept(scanner.apply(unit, positions), null);
-            }
-        }
     }
 
     /**
