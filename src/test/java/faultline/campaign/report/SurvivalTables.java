@@ -134,9 +134,13 @@ final class SurvivalTables {
 
     private static String detection(Map<String, String> row) {
         boolean drift = row.get("fault_label").startsWith("drift");
-        double median = Double.parseDouble(row.get(drift ? "error_median_m" : "view_median_s"));
-        String value = String.format(Locale.ROOT, drift ? "%.0f" : "%.2f", drift ? 1000 * median : median);
+        String median = row.get(drift ? "error_median_m" : "view_median_s");
+        String value = median.isEmpty() ? "\u2013" : median(Double.parseDouble(median), drift);
         return value + " (" + row.get("detected") + " of " + row.get("runs") + ")";
+    }
+
+    private static String median(double value, boolean drift) {
+        return String.format(Locale.ROOT, drift ? "%.0f" : "%.2f", drift ? 1000 * value : value);
     }
 
     private static String share(Map<String, String> row) {
