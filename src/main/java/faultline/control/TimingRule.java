@@ -12,8 +12,9 @@ public enum TimingRule {
     EQUAL_READINGS,
 
     /**
-     * The paper's exact rule: the first sample at which the wall is seen and the first at which it is no longer seen,
-     * and a turn back for exactly t_p = t_D / 2. It works only for a single wall.
+     * Our reading of eq. (4): the first sample at which the wall is seen and the first at which it is no longer seen,
+     * and a turn back for exactly t_p = t_D / 2. The paper does not define at which readings F3 and F4 are taken. The
+     * rule works only for a single wall.
      */
     RANGE;
 

@@ -15,8 +15,8 @@ import java.util.List;
  * The heading error of eq. (4) in theory. The left sensor sees the wall between two headings, the edges; for an endless
  * wall they lie at plus and minus the phi0 that solves R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R,
  * half the cone b, the mounting offset a and the distance D from the centre to the wall. Turning back for half of the
- * time ends in their middle, which is parallel if the edges are symmetric. With the paper's rule the robot stops short
- * of the middle by the motors' lag and half a period.
+ * time ends in their middle, which is parallel if the edges are symmetric. With the range rule the robot stops short of
+ * the middle by the motors' lag and half a period.
  */
 record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 position) {
 

@@ -83,7 +83,7 @@ final class HypercubeStudy implements Figure {
                 measure(rule, values, table).ifPresent(points::add);
             }
             boolean range = rule == TimingRule.RANGE;
-            series.add(new Series.Points(range ? "exact rule" : "equal readings", points, range ? 1 : 0));
+            series.add(new Series.Points(range ? "range rule" : "equal readings", points, range ? 1 : 0));
         }
         Chart chart = new Chart(
                 "All quantities at once (n = " + TRIALS + " for each rule)",

@@ -27,7 +27,7 @@ import java.util.stream.IntStream;
 
 /**
  * Eq. (4) when the controller's model of the motors is wrong: it measures time by the commanded angle according to its
- * model, divided by the constant rate. The paper's rule with a real clock is compared.
+ * model, divided by the constant rate. The range rule with a real clock is compared.
  */
 final class MotorMismatch implements Figure {
 

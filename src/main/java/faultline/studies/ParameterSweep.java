@@ -35,9 +35,9 @@ record ParameterSweep(
 
     private static final String CAPTION =
             """
-            Eq. (4): the heading error at the hand-over to FOLLOW, one marker a trial (n\u00a0=\u00a0%d by the exact \
+            Eq. (4): the heading error at the hand-over to FOLLOW, one marker a trial (n\u00a0=\u00a0%d by the range \
             rule, %d by equal readings), all other quantities at their defaults. Positive: turned towards the wall. \
-            Lines: the closed form; shaded: half of what the robot turns in a control period T, since the exact rule \
+            Lines: the closed form; shaded: half of what the robot turns in a control period T, since the range rule \
             sees each edge up to T late.""";
     private static final String MISSING = " In %d more trials there was no such hand-over.";
 
@@ -98,17 +98,17 @@ record ParameterSweep(
     }
 
     private void writeChart(FigureFolder folder, List<TrialPoint> points) throws IOException {
-        List<TrialPoint> exact = points.stream()
+        List<TrialPoint> range = points.stream()
                 .filter(point -> point.timing() == TimingRule.RANGE)
                 .toList();
         List<TrialPoint> equal = points.stream()
                 .filter(point -> point.timing() == TimingRule.EQUAL_READINGS)
                 .toList();
         List<Series> series = List.of(
-                new Series.Band("\u00b1 \u03c9T/2", means(exact, 1), means(exact, -1), 1),
-                new Series.Line("theory, exact rule", means(exact, 0), 1),
+                new Series.Band("\u00b1 \u03c9T/2", means(range, 1), means(range, -1), 1),
+                new Series.Line("theory, range rule", means(range, 0), 1),
                 new Series.Points(
-                        "exact rule", exact.stream().map(TrialPoint::measured).toList(), 1),
+                        "range rule", range.stream().map(TrialPoint::measured).toList(), 1),
                 new Series.Line("theory, equal readings", means(equal, 0), 0),
                 new Series.Points(
                         "equal readings",
@@ -126,12 +126,12 @@ record ParameterSweep(
                 Axis.covering(label, values.stream().mapToDouble(value -> value)),
                 Axis.covering("heading error (degrees)", errors),
                 series);
-        folder.writeChart(name, createTable(points), chart, WIDTH, HEIGHT, caption(exact.size(), equal.size()));
+        folder.writeChart(name, createTable(points), chart, WIDTH, HEIGHT, caption(range.size(), equal.size()));
     }
 
-    private String caption(int exact, int equal) {
-        String caption = String.format(Locale.ROOT, CAPTION, exact, equal);
-        int missing = TimingRule.values().length * values.size() * variants - exact - equal;
+    private String caption(int range, int equal) {
+        String caption = String.format(Locale.ROOT, CAPTION, range, equal);
+        int missing = TimingRule.values().length * values.size() * variants - range - equal;
         return missing == 0 ? caption : caption + String.format(Locale.ROOT, MISSING, missing);
     }
 

@@ -28,9 +28,9 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
- * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper defines F3, the first sample that
- * sees the wall, and F4, the first sample that no longer sees it; F1 is taken as the moment when the front sensor first
- * sees the wall, F2 as the beginning of the spin.
+ * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper does not define the frames. By
+ * the range rule, F3 is the first sample that sees the wall, and F4 the first sample that no longer sees it; F1 is
+ * taken as the moment when the front sensor first sees the wall, F2 as the beginning of the spin.
  */
 final class WallPositioning implements Figure {
 
@@ -42,7 +42,7 @@ final class WallPositioning implements Figure {
 
     private static final String CAPTION =
             """
-            Fig. 4. Positioning beside a wall by the paper's exact rule, in scenarios/%s, seed %d (n\u00a0=\u00a01 \
+            Fig. 4. Positioning beside a wall by the range rule, in scenarios/%s, seed %d (n\u00a0=\u00a01 \
             run). (a) to (e): the wall, the robot and the cone of the sensor that decides, at five moments and to one \
             scale; a heading of 0\u00b0 is parallel to the wall, a positive one points towards it. (f): the readings \
             of the left sensor; where the line is broken, it sees nothing. Dotted lines: the five moments.""";

@@ -9,7 +9,7 @@ import faultline.geometry.Vector2;
 import java.util.List;
 
 /**
- * The paper's rule and nothing else, in steps far shorter than any control period: a sensor on the left of a robot that
+ * The range rule and nothing else, in steps far shorter than any control period: a sensor on the left of a robot that
  * spins right on the spot, the time t_D between its first and its last sight of the walls, and a turn back for t_p =
  * t_D / 2. Its error terms show here as they are.
  *

@@ -11,8 +11,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
- * The paper's rule, eq. (4), is exact for a perfect robot beside an endless wall; and the bias of each thing that is
- * not perfect.
+ * The range rule, our reading of eq. (4), is exact for a perfect robot beside an endless wall; and the bias of each
+ * thing that is not perfect.
  */
 class AlignmentModelTest {
 

@@ -97,9 +97,9 @@ class OtherWorldsTest {
         assertTrue(gross >= 2 && gross <= ALIGNMENTS / 5, gross + " of " + slow.size());
     }
 
-    /** Statement 5: noise disturbs the paper's rule at low spin rates only. */
+    /** Statement 5: noise disturbs the range rule at low spin rates only. */
     @Test
-    void thePapersRuleFailsWithNoiseWhenTheRobotSpinsSlowly() {
+    void theRangeRuleFailsWithNoiseWhenTheRobotSpinsSlowly() {
         SortedSample slow = errors(TimingRule.RANGE, 15, 0.01, 8, 84);
         int gross = slow.countBeyond(5);
         assertTrue(gross >= ALIGNMENTS / 12 && gross <= ALIGNMENTS / 3, gross + " of " + slow.size());
@@ -125,7 +125,7 @@ class OtherWorldsTest {
         int equal = errors(TimingRule.EQUAL_READINGS, 60, 0.01, 10, 82, 600).countBeyond(5);
         int exact = errors(TimingRule.RANGE, 60, 0.01, 8, 85, 600).countBeyond(5);
         assertSaid(
-                "%d of 600 (%s) with equal readings at 10 mm, %d of 600 (%s) by the exact rule at 8 mm",
+                "%d of 600 (%s) with equal readings at 10 mm, %d of 600 (%s) by the range rule at 8 mm",
                 equal, interval(equal, 600), exact, interval(exact, 600));
     }
 

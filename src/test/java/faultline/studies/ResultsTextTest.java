@@ -65,7 +65,7 @@ class ResultsTextTest {
                     .replaceAll("<[^>]*>", " ")
                     .replaceAll("[\\s\u00a0]+", " ");
             List<MatchResult> counts = Pattern.compile(
-                            "n = (\\d+) by the exact rule, (\\d+) by equal|In (\\d+) more trials")
+                            "n = (\\d+) by the range rule, (\\d+) by equal|In (\\d+) more trials")
                     .matcher(words)
                     .results()
                     .toList();
@@ -230,7 +230,7 @@ class ResultsTextTest {
         ResultsTable table = ResultsTable.of("eq4-hypercube");
         assertEquals(400, table.rows().size(), "every trial aligns");
         assertSaid("differ by at most %.2f degrees with equal readings", largestResidual(table, "equal-readings"));
-        assertSaid("by the exact rule by at most %.2f degrees more", largestResidual(table, "range"));
+        assertSaid("by the range rule by at most %.2f degrees more", largestResidual(table, "range"));
     }
 
     private static double largestResidual(ResultsTable table, String timing) {

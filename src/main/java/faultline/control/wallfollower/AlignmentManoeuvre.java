@@ -121,7 +121,7 @@ final class AlignmentManoeuvre {
 
     /**
      * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 is noticed a little late, and the spin continues
-     * for the motors' lag until they have reversed. The robot turns back by that as well, unless the paper's exact rule
+     * for the motors' lag until they have reversed. The robot turns back by that as well, unless the range rule
      * applies. It does not turn back by a negative angle.
      */
     void planTurnBack() {
@@ -148,7 +148,7 @@ final class AlignmentManoeuvre {
     }
 
     /**
-     * Returns the left reading; infinite if it is not of the wall that was met. By the paper's rule every reading in
+     * Returns the left reading; infinite if it is not of the wall that was met. By the range rule every reading in
      * range counts.
      */
     private double wallReading() {

@@ -3,8 +3,8 @@ package faultline.control.wallfollower;
 import faultline.sensor.Reading;
 
 /**
- * The paper's exact rule: F3 is the first sample with the wall, F4 the first without it. Both are late by up to one
- * control period. A wall that is in range when the spin starts has to leave it first.
+ * The range rule: F3 is the first sample with the wall, F4 the first without it. Both are late by up to one control
+ * period. A wall that is in range when the spin starts has to leave it first.
  */
 final class RangeEdgeTimer extends EdgeTimer {
 
