@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,6 +39,24 @@ class CampaignAnswersTest {
                 share(cones.get("10"), ""),
                 share(cones.get("5"), ""));
         assertTrue(page.replaceAll("\\s+", " ").contains(said), () -> "the page should say: " + said);
+        assertAnalysisSays(cones);
+    }
+
+    /** The programs of docs/analysis.md take the base level of the report, and only runs with a fault. */
+    private static void assertAnalysisSays(Map<String, List<RunRow>> cones) throws Exception {
+        double[] shares = Stream.of("20", "10", "5")
+                .mapToDouble(cone -> Survival.of(cones.get(cone)).share())
+                .toArray();
+        String said = String.format(
+                Locale.ROOT,
+                "%.3f, %.3f and %.3f at 20, 10 and 5 degrees, and differences of %.3f and %.3f",
+                shares[0],
+                shares[1],
+                shares[2],
+                shares[1] - shares[0],
+                shares[2] - shares[0]);
+        String page = Files.readString(Path.of("docs/analysis.md")).replaceAll("\\s+", " ");
+        assertTrue(page.contains(said), () -> "the page should say: " + said);
     }
 
     /** Returns the element that the page adds to the plan. */
