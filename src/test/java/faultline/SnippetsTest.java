@@ -27,7 +27,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Runs every snippet of the documentation. Commands of the program run in a separate folder, each in a process without
- * a display; it has the shipped scenarios, the examples and the README's {@code room.xml}.
+ * a display; it has the shipped scenarios, the examples, the README's {@code room.xml}, and the client and the program
+ * of the page about controllers.
  */
 class SnippetsTest {
 
@@ -61,6 +62,9 @@ class SnippetsTest {
             }
         }
         Files.writeString(folder.resolve("room.xml"), room());
+        for (String name : List.of("faultline.py", "my_follower.py")) {
+            Files.copy(Path.of("docs/examples/python", name), folder.resolve(name));
+        }
     }
 
     @ParameterizedTest
@@ -98,20 +102,21 @@ class SnippetsTest {
     @MethodSource("javaSnippets")
     void everyJavaSnippetCompilesAndRuns(Snippet snippet) throws Exception {
         Path source = folder.resolve("Snippet.java");
+        int statements = snippet.text().lastIndexOf("import ");
+        statements = snippet.text().indexOf('\n', statements);
         Files.writeString(
                 source,
                 """
-                import static org.junit.jupiter.api.Assertions.*;
-                import faultline.scenario.*;
-                import java.nio.file.*;
-                import java.util.*;
+                %s
                 public class Snippet {
                     public static void run() throws Exception {
                         %s
                     }
                 }
                 """
-                        .formatted(snippet.text()));
+                        .formatted(
+                                snippet.text().substring(0, statements),
+                                snippet.text().substring(statements)));
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertEquals(0, compiler.run(null, null, null, "-cp", classPath(), "" + source));
         try (URLClassLoader loader =
