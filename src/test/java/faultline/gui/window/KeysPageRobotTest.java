@@ -38,6 +38,7 @@ import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
@@ -106,13 +107,19 @@ class KeysPageRobotTest {
     private String menuTable() {
         StringBuilder table = new StringBuilder("\n| Function | Menu | Key |\n| --- | --- | --- |\n");
         menuItems().forEach((path, item) -> table.append("| ")
-                .append(item.getText())
+                .append(name(item))
                 .append(" | ")
                 .append(path)
                 .append(" | ")
                 .append(key(item))
                 .append(" |\n"));
         return table.toString();
+    }
+
+    /** Returns the text of an item, after that of its submenu if it is in one. */
+    private static String name(JMenuItem item) {
+        JMenu menu = (JMenu) ((JPopupMenu) item.getParent()).getInvoker();
+        return menu.getParent() instanceof JPopupMenu ? menu.getText() + " > " + item.getText() : item.getText();
     }
 
     private static String key(JMenuItem item) {
