@@ -79,13 +79,34 @@ record ScenarioProperties(
         if (after.equals(before)) {
             return old;
         }
-        List<Expectation.Condition> conditions = new ArrayList<>(old.conditions());
-        conditions.removeAll(before.conditions());
-        if (after.conditions().stream().anyMatch(ScenarioProperties::isFinal)) {
-            conditions.removeIf(ScenarioProperties::isFinal);
+        List<Expectation.Condition> hidden = new ArrayList<>(old.conditions());
+        hidden.removeAll(before.conditions());
+        List<Expectation.Condition> conditions = new ArrayList<>(after.conditions());
+        for (Expectation.Condition condition : hidden) {
+            if (!isFinal(condition)) {
+                conditions.add(placeOf(condition, old.conditions(), conditions), condition);
+            } else if (after.conditions().stream().noneMatch(ScenarioProperties::isFinal)) {
+                conditions.add(condition);
+            }
         }
-        conditions.addAll(0, after.conditions());
         return new Expectation(conditions);
+    }
+
+    /** Returns where a hidden state belongs: after the old state before it, else before the next one that is left. */
+    private static int placeOf(
+            Expectation.Condition hidden, List<Expectation.Condition> old, List<Expectation.Condition> conditions) {
+        List<Expectation.Condition> left = new ArrayList<>(old);
+        left.removeIf(condition -> condition.getClass() != hidden.getClass()
+                || !condition.equals(hidden) && !conditions.contains(condition));
+        int index = left.indexOf(hidden);
+        if (index > 0) {
+            return conditions.indexOf(left.get(index - 1)) + 1;
+        }
+        if (index + 1 < left.size()) {
+            return conditions.indexOf(left.get(index + 1));
+        }
+        return (int)
+                conditions.stream().filter(condition -> !isFinal(condition)).count();
     }
 
     private static boolean isFinal(Expectation.Condition condition) {

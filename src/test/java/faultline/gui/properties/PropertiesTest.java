@@ -35,6 +35,7 @@ import faultline.world.Clearance;
 import faultline.world.Command;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -336,6 +337,35 @@ class PropertiesTest {
         awaitRest(workspace);
         assertEquals(scenario, callOnEdt(() -> workspace.scenario().orElseThrow()));
         runOnEdt(workspace::close);
+    }
+
+    /** With a sweep alone, the states of the follower are hidden. */
+    @ParameterizedTest
+    @CsvSource({
+        "FOLLOW SEARCH TURN, FOLLOW TURN, FOLLOW, FOLLOW SEARCH",
+        "FOLLOW SEARCH TURN, FOLLOW TURN, TURN, SEARCH TURN",
+        "FOLLOW SEARCH TURN, FOLLOW TURN, FOLLOW TURN ROUND, FOLLOW SEARCH TURN ROUND",
+        "FOLLOW TURN SEARCH, FOLLOW TURN, TURN, TURN SEARCH",
+        "FOLLOW SEARCH, FOLLOW, '', SEARCH"
+    })
+    void hiddenStatesKeepTheirPlaces(String all, String shown, String changed, String expected) {
+        Scenario scenario = ScenarioTemplate.CORRIDOR.create();
+        ScenarioProperties before = ScenarioProperties.of(scenario.withExpectation(states(false, shown)));
+        ScenarioProperties after = ScenarioProperties.of(scenario.withExpectation(states(true, changed)));
+        Scenario edited = after.applyChanges(before, scenario.withExpectation(states(false, all)));
+        assertEquals(states(true, expected), edited.expectation());
+        assertEquals(states(false, all), before.applyChanges(after, edited).expectation(), "undone");
+    }
+
+    private static Expectation states(boolean collides, String visited) {
+        List<Expectation.Condition> conditions = new ArrayList<>(List.of(new Expectation.Collides(collides)));
+        Stream.of(visited.split(" "))
+                .filter(name -> !name.isEmpty())
+                .map(FollowerState::valueOf)
+                .map(Expectation.VisitedState::new)
+                .forEach(conditions::add);
+        conditions.add(new Expectation.FinalState(FollowerState.FOLLOW));
+        return new Expectation(conditions);
     }
 
     private static void awaitRest(Workspace workspace) {
