@@ -48,6 +48,14 @@ public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, Li
                 : setup;
     }
 
+    /**
+     * {@return the timeline of the setup without the commands that were void} These were about an obstacle that an
+     * entry had removed. They were refused, but not reported.
+     */
+    public List<SimulationSetup.TimedCommand> effectiveTimeline() {
+        return VoidCommands.removedFrom(this);
+    }
+
     /** {@return the journal of the run with a controller that repeats the recorded decisions, if it needs one} */
     public Journal withRecordedController() {
         return new Journal(replayableSetup(), entries, ticks, decisions);

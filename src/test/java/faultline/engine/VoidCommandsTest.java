@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
+import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -23,11 +24,13 @@ class VoidCommandsTest {
     private static final String UNKNOWN = "there is no obstacle " + ID;
 
     private final List<String> handled = new ArrayList<>();
+    private Scenario scenario;
     private SimulationSetup setup;
 
     @BeforeEach
     void load() throws Exception {
-        setup = Scenario.load(Path.of("scenarios/collision-on-purpose.xml")).setup();
+        scenario = Scenario.load(Path.of("scenarios/collision-on-purpose.xml"));
+        setup = scenario.setup();
     }
 
     private Simulation start(TimedCommand... timeline) {
@@ -104,6 +107,47 @@ class VoidCommandsTest {
             tickTo(simulation, 40);
             assertEquals(hash, simulation.trajectoryHash());
             assertEquals(List.of("5 RemoveObstacle", "10 " + UNKNOWN), handled, "a file says what it does");
+        }
+    }
+
+    @Test
+    void aSavedJournalHasNoCommandsThatWereVoid() {
+        Obstacle pole = setup.world().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals(ID))
+                .findFirst()
+                .orElseThrow();
+        TimedCommand put = new TimedCommand(0.3, new Command.PlaceObstacle(pole));
+        TimedCommand remove = new TimedCommand(0.4, REMOVE);
+        TimedCommand mistake = new TimedCommand(0.5, MOVE);
+        Journal journal;
+        long hash;
+        // Not in the order of their times.
+        try (Simulation simulation =
+                start(mistake, new TimedCommand(0.2, MOVE), new TimedCommand(0.1, MOVE), put, remove)) {
+            tickTo(simulation, 15);
+            simulation.execute(REMOVE);
+            tickTo(simulation, 60);
+            journal = simulation.journal();
+            hash = simulation.trajectoryHash();
+        }
+        assertEquals(
+                List.of(
+                        "10 MoveObstacle",
+                        "16 RemoveObstacle",
+                        "30 PlaceObstacle",
+                        "40 RemoveObstacle",
+                        "50 " + UNKNOWN),
+                handled);
+        List<String> before = List.copyOf(handled);
+        handled.clear();
+        SimulationSetup replay = JournalScenario.create(scenario, journal).setup();
+        assertEquals(
+                List.of(mistake, new TimedCommand(0.1, MOVE), put, remove, new TimedCommand(0.16, REMOVE)),
+                replay.timeline());
+        try (Simulation simulation = new Simulation(replay, ControllerMode.DIRECT, this::note)) {
+            tickTo(simulation, 60);
+            assertEquals(hash, simulation.trajectoryHash());
+            assertEquals(before, handled);
         }
     }
 }
