@@ -70,7 +70,7 @@ final class CommandEdit implements Edit {
     private static boolean continues(
             CommandResult result, CommandResult before, LongFunction<List<Command>> plannedSince) {
         return EditTarget.of(result.command()).equals(EditTarget.of(before.command()))
-                && (result.inverse().equals(List.of(before.command()))
+                && (result.inverse().equals(List.of(before.effect()))
                         || LaterChange.after(plannedSince.apply(before.tick()), before)
                                 .isEmpty());
     }

@@ -361,4 +361,25 @@ class EditHistoryTest {
         history.mark(switched, false);
         assertDoneAndUndone(moved, switched);
     }
+
+    /** Returns the number of parts of a drag that stopped at the robot, given where it continued after the timeline. */
+    private static int countParts(Command stopped, Command continuedFrom) {
+        Command planned = new Command.MoveObstacle("box", new Pose(3, 3, 0));
+        CommandEdit drag = new CommandEdit(
+                1,
+                List.of(new CommandResult.Executed(
+                        10, planned, stopped, List.of(new Command.MoveObstacle("box", new Pose(1, 1, 0))))));
+        Command next = new Command.MoveObstacle("box", new Pose(4, 4, 0));
+        CommandEdit continued =
+                new CommandEdit(1, List.of(new CommandResult.Executed(20, next, List.of(continuedFrom))));
+        assertTrue(drag.merge(continued, tick -> List.of(planned)));
+        return drag.results().size();
+    }
+
+    @Test
+    void aDragContinuesWhereItsObstacleHasStopped() {
+        Command stopped = new Command.MoveObstacle("box", new Pose(2, 2, 0));
+        assertEquals(1, countParts(stopped, stopped), "the timeline has not moved it away");
+        assertEquals(2, countParts(stopped, new Command.MoveObstacle("box", new Pose(3, 3, 0))));
+    }
 }
