@@ -105,6 +105,11 @@ public final class ScenarioEditor {
         run.change(change);
     }
 
+    /** Makes an edit as soon as the run has answered the edits that are being undone or redone. */
+    void editWhenAnswered(Runnable edit) {
+        undo.editWhenAnswered(edit);
+    }
+
     /** Makes all events of the run commands of the timeline, where they are undone. */
     void putEventsOnTimeline() {
         run.putEventsOnTimeline();

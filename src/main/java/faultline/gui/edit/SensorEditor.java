@@ -96,26 +96,24 @@ public final class SensorEditor {
     }
 
     /**
-     * Removes a sensor and the commands of the timeline about it, whose number is reported. {@code onRestored} is
-     * called when that has been undone, before the run has the sensor again.
+     * Removes a sensor and the commands of the timeline about it, whose number is reported, as soon as the run has
+     * answered the edits that are being undone or redone: these are undone on the timeline afterwards.
+     * {@code onRestored} is called when the removal has been undone, before the run has the sensor again.
      */
     public void remove(String id, Runnable onRestored) {
-        workspace
+        editor.editWhenAnswered(() -> workspace
                 .scenario()
                 .flatMap(scenario -> PlacedSensor.find(scenario, id))
-                .ifPresent(removed -> {
-                    // The undo of the deletion returns the sensor's events to the timeline, where they are undone then.
-                    editor.putEventsOnTimeline();
-                    editor.edit(
-                            () -> Messages.get("edit.remove", id),
-                            removed,
-                            removed::removedFrom,
-                            removed::addedTo,
-                            onRestored);
-                    int commands = removed.commands().size();
-                    if (commands > 0) {
-                        notes.accept(Messages.get("note.sensorCommands", id, Integer.toString(commands)));
-                    }
-                });
+                .ifPresent(removed -> remove(removed, id, onRestored)));
+    }
+
+    private void remove(PlacedSensor removed, String id, Runnable onRestored) {
+        // The undo of the deletion returns the sensor's events to the timeline, where they are undone then.
+        editor.putEventsOnTimeline();
+        editor.edit(() -> Messages.get("edit.remove", id), removed, removed::removedFrom, removed::addedTo, onRestored);
+        int commands = removed.commands().size();
+        if (commands > 0) {
+            notes.accept(Messages.get("note.sensorCommands", id, Integer.toString(commands)));
+        }
     }
 }

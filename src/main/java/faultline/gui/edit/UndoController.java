@@ -158,6 +158,14 @@ public final class UndoController {
         onStateChange.run();
     }
 
+    /**
+     * Makes an edit of what an edit that is being undone or redone may change, as soon as the run has answered that.
+     */
+    void editWhenAnswered(Runnable edit) {
+        requests.editWhenAnswered(edit);
+        onStateChange.run();
+    }
+
     /** Records that a sensor or an obstacle has got another id, given what changes ids. */
     void addRename(Rename rename, Consumer<Rename> action) {
         int id = gestures.idOf(List.of(new EditTarget(EditTarget.SETUP, rename, false)));

@@ -2,7 +2,9 @@ package faultline.gui.edit;
 
 import faultline.gui.document.RunController;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -23,6 +25,8 @@ final class UndoRequests {
     private int unanswered;
 
     private int unansweredRequests;
+    /** The edits that are made when the run has answered all edits that are undone and redone. */
+    private final List<Runnable> waitingEdits = new ArrayList<>();
     /** Whether the requests will be processed when the run has been restarted or moved. */
     private boolean deferred;
 
@@ -74,7 +78,24 @@ final class UndoRequests {
     /** Records that the run has answered the commands of an edit that is undone or redone. */
     void requestAnswered() {
         unansweredRequests--;
+        if (unansweredRequests == 0 && !waitingEdits.isEmpty()) {
+            List<Kind> later = List.copyOf(waiting);
+            List<Runnable> edits = List.copyOf(waitingEdits);
+            waitingEdits.clear();
+            edits.forEach(Runnable::run);
+            waiting.addAll(later);
+        }
         process();
+    }
+
+    /** Makes an edit as soon as the run has answered the edits that are undone or redone. */
+    void editWhenAnswered(Runnable edit) {
+        editMade();
+        if (unansweredRequests == 0) {
+            edit.run();
+        } else {
+            waitingEdits.add(edit);
+        }
     }
 
     void undo() {
@@ -90,9 +111,9 @@ final class UndoRequests {
         process();
     }
 
-    /** Returns whether the run has not answered all edits, so that one of them may be undone. */
+    /** Returns whether an edit is made later, or the run has not answered all edits, so that one may be undone. */
     boolean awaitsEdit() {
-        return unanswered > 0;
+        return unanswered > 0 || !waitingEdits.isEmpty();
     }
 
     /** Returns whether requests wait, so that an edit may be redone later. */
@@ -131,6 +152,7 @@ final class UndoRequests {
     /** Forgets all requests and edits, because another scenario has been opened. */
     void clear() {
         waiting.clear();
+        waitingEdits.clear();
         unanswered = 0;
         unansweredRequests = 0;
         deferred = false;

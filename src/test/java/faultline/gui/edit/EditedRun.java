@@ -82,6 +82,10 @@ public final class EditedRun {
         return obstacles;
     }
 
+    SensorEditor sensors() {
+        return sensors;
+    }
+
     public CommandSender sender() {
         return sender;
     }

@@ -88,6 +88,36 @@ class WaitingUndoTest {
                 .allMatch(sensor -> sensor.faults().isEmpty()));
     }
 
+    @Test
+    void aSensorIsDeletedAfterTheRunHasAnsweredAnUndo() {
+        run.send(FAULT);
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.sensors().remove("left", () -> {});
+            assertTrue(run.edits().canUndo());
+            assertEquals(Optional.empty(), run.edits().undoName(), "it is not known yet");
+        });
+        run.rest();
+        assertEquals(Optional.of("Delete left"), callOnEdt(run.edits()::undoName));
+        run.undo();
+        assertEquals(before, run.timeline());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+        assertFalse(callOnEdt(run.workspace()::isChanged));
+    }
+
+    @Test
+    void aDeletionThatWaitsIsUndoneByALaterUndo() {
+        run.send(FAULT);
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.sensors().remove("left", () -> {});
+            run.edits().undo();
+        });
+        run.rest();
+        assertEquals(Optional.of("Delete left"), callOnEdt(run.edits()::redoName));
+        assertEquals(before, run.timeline());
+    }
+
     /** Asserts that the timeline is what it was before the fault, which can be redone once. */
     private void assertIsUndone(Runnable actions) {
         runOnEdt(actions);
