@@ -170,6 +170,17 @@ final class EditedObstacles {
         return contains(origins.at(tick, id));
     }
 
+    /** Returns an obstacle of the world at the start that has changed; empty if it has not. */
+    Optional<Obstacle> changedAtStart(String id) {
+        return Optional.ofNullable(obstacles.get(Origin.atStart(id)))
+                .filter(obstacle -> !base.world().obstacles().contains(obstacle));
+    }
+
+    /** Replaces an obstacle of the world at the start. */
+    void changeAtStart(Obstacle obstacle) {
+        obstacles.put(Origin.atStart(obstacle.id()), obstacle);
+    }
+
     /** Reverts the change of an obstacle at the start; returns false if it has not changed. It is in the world. */
     boolean revertAtStart(String id) {
         Optional<Obstacle> before = base.world().obstacles().stream()

@@ -3,20 +3,28 @@ package faultline.gui.change;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Clearance;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
+import faultline.world.Obstacle;
+import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 
 /** What executed commands change in a setup: its obstacles, its robot and its controller. */
 public final class EditedSetup {
 
     private static final Consumer<EditedSetup> NOTHING = setup -> {};
+
+    /** How far an obstacle is moved away from the robot that it touches, metres: nobody sees it. */
+    private static final double GAP = 1e-6;
 
     private final SimulationSetup base;
     private final EditedObstacles obstacles;
@@ -48,7 +56,8 @@ public final class EditedSetup {
     }
 
     /**
-     * Returns the edited setup with a timeline. Changes that leave no room for the robot at its start pose are omitted.
+     * Returns the edited setup with a timeline. Changes that leave no room for the robot at its start pose are omitted;
+     * an obstacle that only touches it there, as after a drag against the robot, is moved away by a micrometre.
      */
     SimulationSetup withTimeline(List<TimedCommand> timeline) {
         EditedSetup result = copy();
@@ -72,7 +81,7 @@ public final class EditedSetup {
     }
 
     private boolean revertChange(String id) {
-        if (obstacles.revertAtStart(id)) {
+        if (obstacles.changedAtStart(id).filter(this::moveAway).isPresent() || obstacles.revertAtStart(id)) {
             return true;
         }
         RobotSpec smaller =
@@ -80,6 +89,27 @@ public final class EditedSetup {
         boolean changed = !smaller.equals(robot);
         robot = smaller;
         return changed;
+    }
+
+    /** Moves an obstacle away from the robot at its start; returns false if that does not leave room for the robot. */
+    private boolean moveAway(Obstacle obstacle) {
+        Pose pose = obstacle.pose();
+        // One of the normals of the robot's sides is at most 45 degrees from that of the contact.
+        for (int side = 0; side < 4; side++) {
+            Vector2 normal = Vector2.direction(base.start().heading() + side * Math.PI / 2);
+            Obstacle moved = obstacle.withPose(pose.withPosition(pose.position().plus(normal.times(GAP))));
+            if (leavesRoom(moved)) {
+                obstacles.changeAtStart(moved);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean leavesRoom(Obstacle obstacle) {
+        WorldSpec world = base.world();
+        WorldSpec alone = new WorldSpec(world.width(), world.height(), false, world.maxMoving(), List.of(obstacle));
+        return Clearance.findObstruction(alone, robot, base.start()).isEmpty();
     }
 
     /** Returns whether the setup has what a command is about. */

@@ -10,12 +10,14 @@ import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
+import faultline.world.Clearance;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
@@ -24,8 +26,11 @@ import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SetupEditorTest {
 
@@ -163,10 +168,48 @@ class SetupEditorTest {
 
     @Test
     void anObstacleMovedOntoTheStartPoseIsMovedBack() {
+        SetupEditor editor = new SetupEditor(BASE);
+        add(editor, 10, new Command.SetPlatform(0.3, 0.2, 0.3));
+        // The robot of the run is elsewhere by now.
+        Command back = new Command.MoveObstacle("box", BOX.pose());
+        editor.add(new CommandResult.Executed(20, new Command.MoveObstacle("box", new Pose(1.2, 1, 0)), List.of(back)));
+        assertEquals(List.of(BOX), editor.setup().world().obstacles());
+        assertEquals(0.3, editor.setup().robot().length());
+    }
+
+    @Test
+    void anObstacleThatTheRobotStoppedAtTheStartPoseIsNotMovedBack() {
         SimulationSetup edited =
                 after(new Command.SetPlatform(0.3, 0.2, 0.3), new Command.MoveObstacle("box", new Pose(1.2, 1, 0)));
-        assertEquals(List.of(BOX), edited.world().obstacles());
+        // Its front touches the box, and a micrometre remains for the start.
+        assertEquals(1.650001, edited.world().obstacles().get(0).pose().x(), 1e-9);
         assertEquals(0.3, edited.robot().length());
+    }
+
+    /** Half of the robot is 0.125 m long and 0.1 m wide. The file of a robot that touches something is not valid. */
+    @ParameterizedTest
+    @CsvSource({
+        "1.625, 1, 0, 1.625001, 1",
+        "0.375, 1, 0, 0.374999, 1",
+        "1.2, 1.6, 0, 1.2, 1.600001",
+        "1, 0.4, 180, 1, 0.399999"
+    })
+    void anObstacleThatStoppedAtTheStartPoseIsNextToIt(double x, double y, double heading, double nextX, double nextY) {
+        SimulationSetup edited = after(new Command.MoveObstacle("box", new Pose(x, y, Degrees.toRadians(heading))));
+        Vector2 next = edited.world().obstacles().get(0).pose().position();
+        assertEquals(0, next.distanceTo(new Vector2(nextX, nextY)), 1e-12);
+        assertEquals(Optional.empty(), Clearance.findObstruction(edited.world(), edited.robot(), edited.start()));
+    }
+
+    /** A corner of the robot touches a side of the box. */
+    @Test
+    void anObstacleThatStoppedAtACornerOfTheRobotIsNextToIt() {
+        double distance = (0.125 + 0.1) / Math.sqrt(2) + 0.5;
+        Vector2 touching = new Vector2(1, 1).plus(Vector2.direction(Math.PI / 4).times(distance));
+        SimulationSetup edited =
+                after(new Command.MoveObstacle("box", new Pose(touching.x(), touching.y(), Math.PI / 4)));
+        assertEquals(1e-6, edited.world().obstacles().get(0).pose().position().distanceTo(touching), 1e-12);
+        assertEquals(Optional.empty(), Clearance.findObstruction(edited.world(), edited.robot(), edited.start()));
     }
 
     @Test
