@@ -16,7 +16,6 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.IntStream;
 
 /** What executed commands change in a setup: its obstacles, its robot and its controller. */
 public final class EditedSetup {

@@ -11,8 +11,10 @@ import java.util.ArrayDeque;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -26,6 +28,8 @@ final class EventStates {
     private final Deque<TimedCommand> planned;
 
     private final Map<Subject, FaultSequence<Command>> states = new HashMap<>();
+    /** The events that have no effect in this run. */
+    private final Set<EventIndex.Key> withoutEffect = new HashSet<>();
 
     /** Takes the states at the start of a run. */
     EventStates(SimulationSetup setup) {
@@ -39,6 +43,20 @@ final class EventStates {
     private void setSwitch(SensorSpec sensor) {
         Command switched = new Command.SwitchSensor(sensor.id(), sensor.on());
         states.put(EventEffects.subject(switched), EventEffects.state(switched));
+    }
+
+    /**
+     * Executes an event of another run, unless it only undoes events without an effect in this run. Returns it with
+     * what undoes it in this run. Events must be in the order of their ticks.
+     */
+    ExecutedChange execute(ExecutedChange event) {
+        ExecutedChange executed = event.undoesOnly(withoutEffect)
+                ? event.withoutEffect()
+                : event.withChange(execute(event.change()));
+        if (executed.isEventWithoutEffectNow()) {
+            withoutEffect.add(EventIndex.Key.of(executed.executed()));
+        }
+        return executed;
     }
 
     /**

@@ -311,7 +311,15 @@ public final class SetupEditor {
     /** Determines what undoes the events in a run with the present timeline. */
     private void updateEvents() {
         EventStates states = new EventStates(base);
-        entries.replaceAll(entry -> entry.isEvent() ? entry.withChange(states.execute(entry.change())) : entry);
+        entries.replaceAll(entry -> entry.isEvent() ? states.execute(entry) : entry);
+    }
+
+    /**
+     * Notes that the results of an undo, which have been applied, undo events of the run. If the timeline is changed so
+     * that these have no effect any more, the undo has none either.
+     */
+    public void noteUndo(List<CommandResult> undone, List<CommandResult> results) {
+        EventIndex.linkUndo(entries, undone, results);
     }
 
     /** Returns the result of an event that the run has executed, with what undoes it in the present run. */
@@ -349,11 +357,11 @@ public final class SetupEditor {
 
     /**
      * Returns the executed commands, including those that are later than the tick of a moved run, without the hidden
-     * ones.
+     * ones and those that undo what has no effect any more.
      */
     public List<Journal.Entry> entries() {
         return entries.stream()
-                .filter(entry -> !isHidden(entry))
+                .filter(entry -> !isHidden(entry) && !entry.isUndoWithoutEffectNow())
                 .flatMap(entry -> Stream.ofNullable(entry.executed()))
                 .map(result -> new Journal.Entry(result.tick(), result.command()))
                 .toList();

@@ -310,6 +310,14 @@ public final class RunController implements WorkspaceListener {
                 .orElse(event);
     }
 
+    /**
+     * Notes that the executed commands of an undo, given by their results, undo events that the run has executed. If
+     * these have no effect any more after a change of the timeline, the commands have none either.
+     */
+    public void noteUndo(List<CommandResult> undone, List<CommandResult> results) {
+        workspace.openDocument().ifPresent(open -> open.document().noteUndo(undone, results));
+    }
+
     /** Returns the time of a tick of the run, seconds; 0 without a run. */
     public double timeOf(long tick) {
         return workspace

@@ -211,6 +211,11 @@ final class ScenarioDocument {
         edited = null;
     }
 
+    /** Notes that commands that have been executed undo events of the run. */
+    void noteUndo(List<CommandResult> undone, List<CommandResult> results) {
+        editor.noteUndo(undone, results);
+    }
+
     /** Makes all events of the run commands of the timeline. The edited scenario remains the same. */
     void putEventsOnTimeline() {
         editor = editor.withEventsOnTimeline();

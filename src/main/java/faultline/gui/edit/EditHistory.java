@@ -184,13 +184,18 @@ final class EditHistory {
 
     /** Returns what undoes an edit as it was done last; nothing if the timeline has ended what it did. */
     List<LaterChange> undoChanges(CommandEdit edit) {
-        List<CommandResult> executed = log.passed(edit)
+        List<CommandResult> present =
+                lastResults(edit).stream().map(presentResult).toList();
+        return edit.undoChanges(present, firstResults(edit), plannedSince);
+    }
+
+    /** Returns the results of an edit when it was done last. */
+    List<CommandResult> lastResults(CommandEdit edit) {
+        return log.passed(edit)
                 .filter(EditChange::done)
                 .reduce((earlier, later) -> later)
                 .map(EditChange::executed)
                 .orElseGet(edit::results);
-        List<CommandResult> present = executed.stream().map(presentResult).toList();
-        return edit.undoChanges(present, firstResults(edit), plannedSince);
     }
 
     /** Returns the results of an edit when it was first executed before the present tick; it may be redone earlier. */

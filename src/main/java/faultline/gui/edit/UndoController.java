@@ -47,6 +47,7 @@ public final class UndoController {
     private Consumer<List<CommandResult>> editListener = results -> {};
     private BiConsumer<String, Boolean> scenarioListener = (name, redone) -> {};
     private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
+    private BiConsumer<List<CommandResult>, List<CommandResult>> undoNotes = (undone, results) -> {};
     private StartChange startChange = (changes, redone, onChanged) -> {};
     private long advancedTo;
 
@@ -92,6 +93,7 @@ public final class UndoController {
         history.setPlan(run::plannedSince, run::presentResult);
         laterChanges = run::changeLater;
         startChange = run::changeStart;
+        undoNotes = run::noteUndo;
         requests.setRun(run);
         workspace.addListener(new RunFollower(run));
     }
@@ -251,6 +253,9 @@ public final class UndoController {
         List<CommandResult> inScenario = IntStream.range(0, results.size())
                 .mapToObj(i -> changes.get(i).resultInScenario(results.get(i)))
                 .toList();
+        if (!done) {
+            undoNotes.accept(history.lastResults(edit), inScenario);
+        }
         history.addChange(results.get(0).tick(), edit, done, inScenario);
     }
 

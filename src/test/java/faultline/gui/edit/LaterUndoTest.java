@@ -321,4 +321,42 @@ class LaterUndoTest {
         run.advanceTo(30);
         assertFaults();
     }
+
+    private static final Command ON = new Command.SwitchSensor("front", true);
+    private static final Command OFF = new Command.SwitchSensor("front", false);
+
+    @Test
+    void theUndoOfASwitchHasNoEffectWithoutThePlanThatTheSwitchChanged() {
+        Scenario first = run.scenario();
+        run.planWithUndo(at(0.05, OFF), at(0.05, new Command.InjectFault("front", BIAS)));
+        run.advanceTo(10);
+        run.send(ON);
+        run.send(new Command.ClearFaults("front"));
+        run.advanceTo(20);
+        run.undo();
+        run.undo();
+        run.advanceTo(30);
+        Scenario undone = run.scenario();
+        assertFaults(BIAS);
+        run.undo();
+        assertEquals(first, run.scenario());
+        assertFaults();
+        run.redo();
+        assertEquals(undone, run.scenario());
+        assertFaults(BIAS);
+        run.undo();
+        assertEquals(first, run.scenario());
+        assertFaults();
+        for (int i = 0; i < 3; i++) {
+            run.redo();
+            run.advance(3);
+        }
+        assertFaults();
+        for (int i = 0; i < 3; i++) {
+            run.undo();
+            run.advance(3);
+        }
+        assertEquals(first, run.scenario());
+        assertFaults();
+    }
 }
