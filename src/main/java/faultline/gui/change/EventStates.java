@@ -50,9 +50,8 @@ final class EventStates {
      * what undoes it in this run. Events must be in the order of their ticks.
      */
     ExecutedChange execute(ExecutedChange event) {
-        ExecutedChange executed = event.undoesOnly(withoutEffect)
-                ? event.withoutEffect()
-                : event.withChange(execute(event.change()));
+        ExecutedChange executed =
+                event.undoesOnly(withoutEffect) ? event.withoutEffect() : event.withChange(execute(event.change()));
         if (executed.isEventWithoutEffectNow()) {
             withoutEffect.add(EventIndex.Key.of(executed.executed()));
         }

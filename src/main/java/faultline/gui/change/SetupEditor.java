@@ -146,7 +146,9 @@ public final class SetupEditor {
         eventIndex = null;
         moveTo(tick - 1, position);
         boolean last = position == entries.size();
-        entries.subList(position, entries.size()).removeIf(later -> executed != null || later.isWithoutRun(change));
+        entries.subList(position, entries.size())
+                .removeIf(
+                        later -> !later.isEventWithoutEffectNow() && (executed != null || later.isWithoutRun(change)));
         entries.add(position, new ExecutedChange(tick, change, executed));
         position++;
         if (last) {
@@ -171,7 +173,7 @@ public final class SetupEditor {
 
     /** Returns whether the setup has been changed before the first tick, and no command is later. */
     public boolean changesSetupAtStart() {
-        return entries.stream().allMatch(entry -> entry.tick() <= 1)
+        return entries.stream().allMatch(entry -> entry.tick() <= 1 || entry.isEventWithoutEffectNow())
                 && entries.stream().anyMatch(entry -> !entry.isEvent() && !isHidden(entry));
     }
 
@@ -258,7 +260,7 @@ public final class SetupEditor {
     public SetupEditor rebased(SimulationSetup newSetup) {
         List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
-        SetupEditor result = rebased(newSetup, timeline, events);
+        SetupEditor result = rebased(newSetup, timeline, events).withLaterEventsOnTimeline();
         result.lastRemovedEvent = events().stream()
                 .filter(event -> !events.contains(event))
                 .mapToLong(CommandResult::tick)
@@ -268,12 +270,44 @@ public final class SetupEditor {
 
     /** Returns whether an event of the run is, or was before a change of the setup, later than a tick. */
     public boolean hasEventsAfter(long tick) {
-        return lastRemovedEvent > tick || events().stream().anyMatch(event -> event.tick() > tick);
+        return lastRemovedEvent > tick
+                || Stream.concat(events().stream(), eventsWithoutEffectNow()).anyMatch(event -> event.tick() > tick);
     }
 
-    /** Returns an editor of the same setup in which all events of the run are commands of the timeline. */
+    /**
+     * Returns an editor of the same setup in which all events of the run are commands of the timeline, except for those
+     * that change nothing any more: these stay in the run.
+     */
     public SetupEditor withEventsOnTimeline() {
-        return rebased(base, edited.obstacles().withoutEdits(timeline()), Set.of());
+        return withEventsOnTimeline(0);
+    }
+
+    /**
+     * Returns an editor in which the events that a moved run has not reached are commands of the timeline: events that
+     * have an effect again must not be lost by an edit at an earlier tick.
+     */
+    private SetupEditor withLaterEventsOnTimeline() {
+        return entries.subList(position, entries.size()).stream()
+                        .anyMatch(entry -> entry.isEvent() && !entry.change().isNoOp())
+                ? withEventsOnTimeline(position)
+                : this;
+    }
+
+    /** Returns an editor in which the events of the entries from an index on are commands of the timeline. */
+    private SetupEditor withEventsOnTimeline(int from) {
+        Set<CommandResult> kept = Collections.newSetFromMap(new IdentityHashMap<>());
+        eventsWithoutEffectNow().forEach(kept::add);
+        entries.subList(0, from).forEach(entry -> kept.add(entry.change()));
+        List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().timeline());
+        events().stream()
+                .filter(event -> !kept.contains(event))
+                .map(this::timedCommand)
+                .forEach(timeline::add);
+        return rebased(base, edited.obstacles().withoutEdits(timeline), kept);
+    }
+
+    private Stream<CommandResult> eventsWithoutEffectNow() {
+        return entries.stream().filter(ExecutedChange::isEventWithoutEffectNow).map(ExecutedChange::change);
     }
 
     /** Returns an editor of another setup and timeline, with the executed commands and some of the events. */
@@ -336,10 +370,7 @@ public final class SetupEditor {
      */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
         Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        entries.stream()
-                .filter(ExecutedChange::isEventWithoutEffectNow)
-                .map(ExecutedChange::change)
-                .forEach(taken::add);
+        eventsWithoutEffectNow().forEach(taken::add);
         for (CommandResult event : events()) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {

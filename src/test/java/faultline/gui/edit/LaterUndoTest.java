@@ -22,10 +22,13 @@ import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Events that are undone after the timeline has changed what they are about. */
 @ExtendWith(EdtChecker.class)
@@ -358,5 +361,58 @@ class LaterUndoTest {
         }
         assertEquals(first, run.scenario());
         assertFaults();
+    }
+
+    /** Another event makes all events marks of the timeline with the move. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aSwitchWithoutEffectReturnsWithThePlanAfterAMove(boolean anotherEvent) {
+        run.advanceTo(7);
+        if (anotherEvent) {
+            run.send(new Command.InjectFault("left", BIAS));
+        }
+        run.planWithUndo(at(0.05, OFF), at(0.15, ON));
+        run.advanceTo(10);
+        run.send(ON);
+        run.advanceTo(30);
+        List<TimedCommand> timeline = run.timeline();
+        run.undo();
+        run.seek(5);
+        run.redo();
+        // A mark of another event comes before those that redo adds.
+        assertEquals(Set.copyOf(timeline), Set.copyOf(run.timeline()));
+        assertEquals(timeline.size(), run.timeline().size());
+        run.advanceTo(30);
+        assertSameRun();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::redoName));
+        run.undo();
+        assertEquals(Optional.of("Switch front on"), callOnEdt(run.edits()::undoName), "it is a mark now");
+        run.undo();
+        assertEquals(anotherEvent ? 1 : 0, run.timeline().size());
+    }
+
+    @Test
+    void aSwitchThatHasAnEffectAgainIsKeptWhenAnEarlierTickIsEdited() {
+        run.planWithUndo(at(0.05, OFF), at(0.15, ON));
+        run.advanceTo(10);
+        run.send(ON);
+        run.advanceTo(20);
+        List<TimedCommand> timeline = run.timeline();
+        run.send(new Command.SetPlatform(0.24, 0.19, 0.25));
+        run.undo();
+        run.undo();
+        run.seek(5);
+        run.redo();
+        run.redo();
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::redoName));
+        assertEquals(timeline, run.timeline());
+        run.advanceTo(30);
+        assertTrue(SessionFrames.frame(run.workspace()).snapshot().sensors().stream()
+                .allMatch(sensor -> sensor.spec().on()));
+        for (int i = 0; i < 3; i++) {
+            run.undo();
+        }
+        assertEquals(List.of(), run.timeline());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
     }
 }
