@@ -65,11 +65,23 @@ public record Telemetry(
      * @param tF4 when it left it, frame F4, seconds
      * @param tP the time for which it turns back, t_p = t_D / 2 of eq. (4), seconds; negative if F4 is before F3 on the
      *     clock of the turned angle, as with random readings
+     * @param origin the simulated time at which the clock would be 0 if it had run as simulated time does, seconds
      */
-    public record EdgeTimes(double tF3, double tF4, double tP) {
+    public record EdgeTimes(double tF3, double tF4, double tP, double origin) {
 
         /** The value of a controller that times no wall. */
         public static final EdgeTimes NONE = new EdgeTimes(Double.NaN, Double.NaN, Double.NaN);
+
+        /**
+         * Creates times on a clock whose origin is not known.
+         *
+         * @param tF3 when the left sensor came to the timing distance, seconds
+         * @param tF4 when it left it, seconds
+         * @param tP the time for which it turns back, seconds
+         */
+        public EdgeTimes(double tF3, double tF4, double tP) {
+            this(tF3, tF4, tP, Double.NaN);
+        }
     }
 
     /**

@@ -31,6 +31,7 @@ final class AlignmentManoeuvre {
     private EdgeTimer edgeTimer;
     private long startTick;
     private double startHeading;
+    private double clockOrigin = Double.NaN;
     private boolean backingOff;
     private double nearestReading;
     private double remainingTurn;
@@ -67,6 +68,7 @@ final class AlignmentManoeuvre {
         }
         startHeading = estimate.odometer().heading();
         startTick = estimate.tick();
+        clockOrigin = Double.NaN;
         estimate.clearFrontMemory();
         backingOff = afterSearch && wallReading() < Reading.NOTHING;
         nearestReading = left().reading();
@@ -111,6 +113,15 @@ final class AlignmentManoeuvre {
     void updateMeasure() {
         edgeTimer.updateNoise(estimate.leftNoise(), estimate.isLeftNoiseKnown());
         edgeTimer.addPassSample(spinClock(), left().reading());
+        clockOrigin = estimate.tick() * estimate.dt() - spinClock();
+    }
+
+    /**
+     * Returns the simulated time at which the clock of the spin would be 0 if it had run as simulated time does until
+     * the last reading of MEASURE, seconds; NaN before MEASURE.
+     */
+    double clockOrigin() {
+        return clockOrigin;
     }
 
     boolean leavesWall() {

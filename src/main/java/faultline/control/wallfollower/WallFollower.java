@@ -249,7 +249,7 @@ public final class WallFollower implements Successor {
                 transitions,
                 new Telemetry.WallControl(
                         spec.distance(), estimate.left().reading(), wall.proportional(), wall.derivative()),
-                new Telemetry.EdgeTimes(timing.tF3(), timing.tF4(), timing.tP()),
+                new Telemetry.EdgeTimes(timing.tF3(), timing.tF4(), timing.tP(), alignment.clockOrigin()),
                 diagnosis);
     }
 }

@@ -27,8 +27,6 @@ public final class Recorder implements TickObserver, CommandListener {
     private final KeyframeRecorder keyframes = new KeyframeRecorder();
     private final HashTraceRecorder hashes = new HashTraceRecorder();
     private Telemetry lastTelemetry;
-    private double lastHeading;
-    private double turnStart;
     private boolean collided;
 
     /**
@@ -85,23 +83,12 @@ public final class Recorder implements TickObserver, CommandListener {
         }
     }
 
-    /** Records the times of F3 and F4, which the controller measures by the angle turned since TURN began. */
     private void recordTiming(Simulation simulation, Telemetry now) {
-        if (now.state() == FollowerState.TURN) {
-            turnStart = lastHeading;
-        } else if (now.state() == FollowerState.ALIGN
+        if (now.state() == FollowerState.ALIGN
                 && Double.isFinite(now.edges().tP())
                 && simulation.controllerSpec() instanceof ControllerSpec.WallFollowing follower) {
-            double clock =
-                    Math.abs(lastHeading - turnStart) / simulation.robot().spinRate();
-            double origin = simulation.time() - setup.dt() - clock;
             events.add(new RunEvent.AlignmentTimed(
-                    simulation.ticks(),
-                    setup.timeOf(simulation.ticks()),
-                    origin + now.edges().tF3(),
-                    origin + now.edges().tF4(),
-                    now.edges().tP(),
-                    follower.timingRule()));
+                    simulation.ticks(), setup.timeOf(simulation.ticks()), now.edges(), follower.timingRule()));
         }
     }
 
@@ -120,9 +107,9 @@ public final class Recorder implements TickObserver, CommandListener {
         values[TraceChannels.DERIVATIVE] = (float) lastTelemetry.wall().derivative();
         values[TraceChannels.LEFT_VOLTS] = (float) simulation.leftVolts();
         values[TraceChannels.RIGHT_VOLTS] = (float) simulation.rightVolts();
-        lastHeading = simulation.pose().heading();
-        values[TraceChannels.HEADING] = (float) lastHeading;
-        values[TraceChannels.HEADING_REST] = (float) (lastHeading - (float) lastHeading);
+        double heading = simulation.pose().heading();
+        values[TraceChannels.HEADING] = (float) heading;
+        values[TraceChannels.HEADING_REST] = (float) (heading - (float) heading);
         Velocity commanded = simulation.commandedVelocity();
         values[TraceChannels.COMMANDED_VELOCITY] = (float) commanded.linear();
         values[TraceChannels.COMMANDED_TURN_RATE] = (float) commanded.angular();

@@ -3,6 +3,7 @@ package faultline.engine.recording;
 import faultline.control.ControllerState;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
+import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.world.Collision;
 import faultline.world.Command;
@@ -74,13 +75,21 @@ public sealed interface RunEvent {
      *
      * @param tick the tick in which the timing is complete
      * @param time the simulated time of that tick, seconds
-     * @param f3 the simulated time of frame F3, seconds
-     * @param f4 the simulated time of frame F4, seconds
-     * @param tP the duration of the turn back, t_p of eq. (4), seconds
+     * @param edges the times on the clock of the spin, whose origin is known
      * @param rule the rule that determined F3 and F4
      */
-    record AlignmentTimed(long tick, double time, double f3, double f4, double tP, TimingRule rule)
-            implements RunEvent {
+    record AlignmentTimed(long tick, double time, Telemetry.EdgeTimes edges, TimingRule rule) implements RunEvent {
+
+        /** {@return the simulated time of frame F3, seconds} */
+        public double f3() {
+            return edges.origin() + edges.tF3();
+        }
+
+        /** {@return the simulated time of frame F4, seconds} */
+        public double f4() {
+            return edges.origin() + edges.tF4();
+        }
+
         @Override
         public <R> R match(EventCases<R> cases) {
             return cases.alignmentTimed.apply(this);

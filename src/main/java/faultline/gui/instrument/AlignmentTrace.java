@@ -20,17 +20,18 @@ import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * The newest alignment manoeuvre of a run. Times are those of the manoeuvre's clock: the angle turned since TURN began,
- * divided by the constant turn rate.
+ * The newest alignment manoeuvre of a run. Times are those of the manoeuvre's clock: the angle that the controller
+ * takes the robot to have turned since TURN began, divided by the turn rate that it commands.
  *
  * @param samples the reading on the side of the wall during the turn, up to frame F4
  * @param start the heading at the beginning of TURN, radians
- * @param rate the turn rate, radians per second; negative for a turn to the right
+ * @param rate the angle that the robot turns in a second of the clock, radians; negative for a turn to the right
  * @param headingNow the current heading, or the one at the end of the manoeuvre, radians
  * @param f3 when the sensor on the side of the wall met it, seconds; NaN if not yet known
  * @param f4 when that sensor lost the wall, seconds; NaN if not yet known
  * @param tP the duration of the turn back, seconds; NaN if not yet known
- * @param origin the simulated time at which the manoeuvre's clock would be 0 at the constant turn rate, seconds
+ * @param origin the simulated time at which the manoeuvre's clock would be 0 at the constant turn rate, seconds; NaN if
+ *     not yet known
  * @param achievedHeading the heading at the end of ALIGN, radians; NaN if not yet known
  * @param rule the rule that determined F3 and F4; the present one if they are not yet known
  */
@@ -107,15 +108,14 @@ record AlignmentTrace(
     private static AlignmentTrace of(SessionFrame frame, TraceLevel level, PhaseTicks ticks) {
         double start = headingAt(level, ticks.turn() - 1);
         double turnedBy = headingAt(level, ticks.align() - 1) - start;
-        double rate = Math.copySign(frame.snapshot().robot().spinRate(), turnedBy == 0 ? -1 : turnedBy);
+        Telemetry.EdgeTimes shown = edges(frame, ticks);
+        double rate = rate(frame, turnedBy, (ticks.align() - 1) * frame.dt() - shown.origin());
         List<AlignmentSample> samples = new ArrayList<>();
         // The reading that the controller reports in a tick was taken at the end of the tick before.
         for (long tick = ticks.turn(); tick < ticks.align(); tick++) {
             samples.add(new AlignmentSample(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
-        double origin = (ticks.align() - 1) * frame.dt() - Math.abs(turnedBy / rate);
-        Telemetry.EdgeTimes shown = edges(frame, ticks, origin);
         double now = headingAt(level, ticks.end() - 1);
         return new AlignmentTrace(
                 samples,
@@ -125,9 +125,22 @@ record AlignmentTrace(
                 shown.tF3(),
                 shown.tF4(),
                 shown.tP(),
-                origin,
+                shown.origin(),
                 ticks.done() ? now : Double.NaN,
                 timing(frame, ticks).map(RunEvent.AlignmentTimed::rule).orElse(presentRule(frame)));
+    }
+
+    /**
+     * Returns how far the robot has turned in a second of the manoeuvre's clock, radians; the commanded rate if the
+     * clock is not known. They differ if a motor is weak or the wheels are not as the controller takes them to be.
+     *
+     * @param turnedBy the angle by which the robot has turned, radians, counter-clockwise positive
+     * @param clock the time of the clock after that, seconds; NaN if it is not known
+     */
+    private static double rate(SessionFrame frame, double turnedBy, double clock) {
+        return turnedBy != 0 && Math.abs(clock) > frame.dt()
+                ? turnedBy / clock
+                : Math.copySign(frame.snapshot().robot().spinRate(), turnedBy == 0 ? -1 : turnedBy);
     }
 
     /** Returns the recorded timing of a manoeuvre. */
@@ -152,12 +165,10 @@ record AlignmentTrace(
      * Returns the controller's times; the recorded ones if the controller no longer reports them, because another
      * strategy drives since the turn.
      */
-    private static Telemetry.EdgeTimes edges(SessionFrame frame, PhaseTicks ticks, double origin) {
+    private static Telemetry.EdgeTimes edges(SessionFrame frame, PhaseTicks ticks) {
         Telemetry.EdgeTimes reported = frame.telemetry().edges();
         return Double.isNaN(reported.tP())
-                ? timing(frame, ticks)
-                        .map(timed -> new Telemetry.EdgeTimes(timed.f3() - origin, timed.f4() - origin, timed.tP()))
-                        .orElse(reported)
+                ? timing(frame, ticks).map(RunEvent.AlignmentTimed::edges).orElse(reported)
                 : reported;
     }
 

@@ -78,6 +78,19 @@ class AlignmentManoeuvreTest {
         assertTrue(telemetry.edges().tF3() > 0 && telemetry.edges().tP() > 0);
     }
 
+    @Test
+    void theClockHasAnOriginOnceTheWallIsMeasured() {
+        StraightWallFixture robot = new StraightWallFixture(RobotSpec.DEFAULT, WallFollowing.DEFAULT, 1.2, 90);
+        assertTrue(Double.isNaN(
+                robot.runUntil(FollowerState.TURN).telemetry().edges().origin()));
+        Telemetry turned = robot.runUntil(FollowerState.ALIGN).telemetry();
+        double aligned = turned.sinceTick() * Observations.DT;
+        assertEquals(aligned, turned.edges().origin() + turned.edges().tF4(), 3 * Observations.DT);
+        assertEquals(
+                turned.edges().origin(),
+                robot.runUntil(FollowerState.FOLLOW).telemetry().edges().origin());
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"EQUAL_READINGS", "RANGE"})
     void aWallMetSidewaysIsBackedOffFromAndThenTimedAsAnyOther(TimingRule timing) {

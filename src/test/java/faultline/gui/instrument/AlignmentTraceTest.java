@@ -22,6 +22,7 @@ import faultline.geometry.Pose;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -35,6 +36,7 @@ import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The turn timing shows the values of the controller and of the run. */
 class AlignmentTraceTest {
@@ -152,6 +154,20 @@ class AlignmentTraceTest {
         assertEquals(spin.clockAt(spin.predictedHeading()), (spin.f3() + spin.f4()) / 2, 1e-9);
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0.7, 1.4})
+    void theCurveIsOnTheClockOfTheControllerIfTheRobotTurnsAtAnotherRate(double trackScale) {
+        RobotSpec robot = SampleRuns.ROOM_SETUP.robot().withDriveScale(new DriveScale(1, 1, trackScale));
+        SimulationSetup setup = SampleRuns.setup(ControllerSpec.WallFollowing.DEFAULT.withDiagnosis(false))
+                .withRobot(robot);
+        SessionFrame frame = SampleRuns.frame(setup, arrival(SampleRuns.frame(setup, 2000), FollowerState.ALIGN) + 5);
+        AlignmentTrace spin = AlignmentTrace.latest(frame).orElseThrow();
+        double newest = spin.samples().get(spin.samples().size() - 1).clock();
+        assertEquals(spin.f4(), newest, 3 * frame.dt(), "F4 is just before ALIGN");
+        assertEquals(frame.snapshot().robot().spinRate() / trackScale, -spin.rate(), 1e-3);
+        assertEquals(spin.origin() + spin.f4(), lastTiming(frame).f4(), 1e-9);
+    }
+
     @Test
     void inTheMiddleOfATurnWhatIsNotKnownYetIsADash() {
         long turn = arrival(FRAME, FollowerState.TURN);
@@ -176,7 +192,7 @@ class AlignmentTraceTest {
         assertEquals(trace.origin() + trace.f3(), timed.f3(), 1e-5);
         assertEquals(trace.origin() + trace.f4(), timed.f4(), 1e-5);
         // eq. (4): t_p = t_D / 2
-        assertEquals((timed.f4() - timed.f3()) / 2, timed.tP(), 1e-9);
+        assertEquals((timed.f4() - timed.f3()) / 2, timed.edges().tP(), 1e-9);
         assertTrue(timed.f3() < timed.f4() && timed.f4() <= timed.time());
     }
 
@@ -231,7 +247,7 @@ class AlignmentTraceTest {
         assertEquals(timed, lastTiming(frame), "no other turn");
         assertEquals(timed.f3(), trace.origin() + trace.f3(), 1e-9);
         assertEquals(timed.f4(), trace.origin() + trace.f4(), 1e-9);
-        assertEquals(timed.tP(), trace.tP());
+        assertEquals(timed.edges().tP(), trace.tP());
     }
 
     @Test

@@ -7,6 +7,7 @@ import faultline.control.FollowerState;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
+import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.engine.recording.RunEvent;
 import faultline.geometry.Vector2;
@@ -31,7 +32,7 @@ class EventKindTest {
 
     private static final List<RunEvent> EVENTS = List.of(
             new RunEvent.StateChanged(1, 0.01, FollowerState.SEARCH, FollowerState.TURN, ""),
-            new RunEvent.AlignmentTimed(2, 0.02, 0.01, 0.02, 0.005, TimingRule.RANGE),
+            new RunEvent.AlignmentTimed(2, 0.02, new Telemetry.EdgeTimes(0.01, 0.02, 0.005, 0), TimingRule.RANGE),
             new RunEvent.HealthChanged(3, 0.03, SensorTrust.DISTRUSTED, SensorHealth.trusted("left")),
             new RunEvent.HealthChanged(
                     3,
