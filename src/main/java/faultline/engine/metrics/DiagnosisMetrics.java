@@ -58,9 +58,12 @@ public final class DiagnosisMetrics implements TickObserver {
     public DiagnosisMetrics(SimulationSetup setup) {
         dt = setup.dt();
         before = setup.robot();
-        onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
-        onsetTick = setup.tickAt(onset);
         List<SimulationSetup.TimedCommand> faults = FaultStarts.of(setup);
+        onset = faults.stream()
+                .mapToDouble(timed -> CarryOnMetrics.startTime(setup, timed))
+                .min()
+                .orElse(0);
+        onsetTick = setup.tickAt(onset);
         for (SimulationSetup.TimedCommand timed : faults) {
             if (timed.command() instanceof Command.InjectFault fault) {
                 faultTicks.merge(fault.sensor(), setup.tickAt(timed.time()), Math::min);

@@ -18,9 +18,11 @@ import faultline.world.Command.ClearMotorFaults;
 import faultline.world.Command.InjectFault;
 import faultline.world.Command.InjectMotorFault;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** Faults that a command of their tick ends never act. A tick is 10 ms. */
 class FaultStartsTest {
@@ -68,7 +70,37 @@ class FaultStartsTest {
 
     @Test
     void aRepairOfOneFaultEndsOne() {
-        assertEquals(List.of(0), inOneTick(LEFT, LEFT, new ClearFault("left", BIAS)));
+        assertEquals(List.of(1), inOneTick(LEFT, LEFT, new ClearFault("left", BIAS)));
+    }
+
+    @Test
+    void aRepairEndsTheOldestOfEqualFaults() {
+        List<TimedCommand> timeline = List.of(at(10, LEFT), at(20, LEFT), at(20, new ClearFault("left", BIAS)));
+        assertEquals(timeline.subList(0, 2), FaultStarts.of(setup(timeline.toArray(new TimedCommand[0]))));
+        List<TimedCommand> motors =
+                List.of(at(10, MOTORS), at(20, MOTORS), at(20, new ClearMotorFault(MotorSide.LEFT, OFF)));
+        assertEquals(motors.subList(0, 2), FaultStarts.of(setup(motors.toArray(new TimedCommand[0]))));
+    }
+
+    @Test
+    void equalFaultsOneAfterTheOtherBeginInAnyOrderOfTheFile() {
+        ClearFault repair = new ClearFault("left", BIAS);
+        TimedCommand[] first = {at(10, LEFT), at(20, repair), at(20, LEFT), at(30, repair)};
+        TimedCommand[] second = {at(20, LEFT), at(30, repair), at(10, LEFT), at(20, repair)};
+        assertEquals(List.of(first[0], first[2]), FaultStarts.of(setup(first)));
+        assertEquals(List.of(first[0], first[2]), FaultStarts.of(setup(second)));
+    }
+
+    @Test
+    @Timeout(10)
+    void theTimeIsProportionalToTheNumberOfCommands() {
+        int count = 100_000;
+        List<TimedCommand> timeline = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            timeline.add(at(0.01 * i, new ClearFaults("left")));
+            timeline.add(at(0.01 * count + 5, new ClearFault("left", new Fault.Bias(1e-5 * (i + 1)))));
+        }
+        assertEquals(List.of(), FaultStarts.of(setup(timeline.toArray(new TimedCommand[0]))));
     }
 
     @Test
