@@ -64,6 +64,14 @@ final class CommandLine {
         this.output = output;
     }
 
+    /** Returns whether a command, given the arguments of the process, may open a window. */
+    static boolean mayOpenWindow(String... args) {
+        return args.length == 0
+                || WINDOW_COMMANDS.contains(args[0])
+                || !COMMANDS.contains(args[0]) && !HELP_WORDS.contains(args[0])
+                || List.of(args).contains("--open");
+    }
+
     /** Runs a command, given the arguments of the process, and returns its {@link ExitCode}. */
     int run(String... args) {
         try {

@@ -35,8 +35,8 @@ public final class Main {
     }
 
     /**
-     * Runs one command as described by {@code --help}. The process ends with the command's exit code; if that is 0, the
-     * process may continue until the window is closed.
+     * Runs one command as described by {@code --help}. The process ends with the command's exit code, even if a
+     * controller in Java has left a thread; if a window was opened, it continues until that is closed.
      */
     public static void main(String[] args) {
         if (paintsWithoutWindow(args)) {
@@ -45,7 +45,7 @@ public final class Main {
         CommandOutput output = new CommandOutput(System.out, System.err);
         System.setOut(printsOfControllers(System.err));
         int code = new CommandLine(output).run(args);
-        if (code != ExitCode.SUCCESS) {
+        if (code != ExitCode.SUCCESS || !CommandLine.mayOpenWindow(args)) {
             System.exit(code);
         }
     }

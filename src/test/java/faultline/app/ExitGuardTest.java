@@ -16,6 +16,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Controllers in Java that end the process. */
+/** Controllers in Java that end the process, or leave something that would prevent its end. */
 @Timeout(120)
 class ExitGuardTest {
 
@@ -52,11 +54,14 @@ class ExitGuardTest {
 
         @Override
         public Controller create(Map<String, String> settings) {
+            if (settings.containsKey("leaves-thread")) {
+                new Thread(LockSupport::park).start();
+            }
             return observation -> {
                 if (settings.containsKey("stays")) {
                     System.out.println("tick " + observation.tick());
                     System.out.close();
-                } else if (observation.tick() == 7) {
+                } else if (observation.tick() == 7 && settings.isEmpty()) {
                     System.exit(0);
                 }
                 return Decision.ofVelocity(observation.robot(), new Velocity(0, 0), "WAIT", "");
@@ -126,6 +131,25 @@ class ExitGuardTest {
         process.getOutputStream().close();
         assertEquals(MESSAGE, JavaProcess.output(process));
         assertEquals(ExitCode.RUN_FAILED, process.waitFor());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"run", "check", "serve"})
+    void aThreadThatAControllerLeavesDoesNotPreventTheEnd(String command) throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("quit.xml"),
+                Files.readString(YARD)
+                        .replace(
+                                "<expect",
+                                "<controller type='quitter'><setting name='leaves-thread' value='1'/></controller>"
+                                        + "<expect")
+                        .replaceAll("<expect[^>]*/>", ""));
+        Process process = builder("faultline.app.Main", command, file.toString())
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        process.getOutputStream().close();
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process ends");
+        assertEquals(ExitCode.SUCCESS, process.exitValue());
     }
 
     @Test

@@ -17,4 +17,18 @@ class MainTest {
         assertFalse(Main.paintsWithoutWindow("a.xml"));
         assertFalse(Main.paintsWithoutWindow());
     }
+
+    /** Other commands end the process, also if a thread is left. */
+    @Test
+    void theProcessOfAWindowContinuesUntilTheWindowIsClosed() {
+        assertTrue(CommandLine.mayOpenWindow());
+        assertTrue(CommandLine.mayOpenWindow("a.xml", "--play"));
+        assertTrue(CommandLine.mayOpenWindow("--window"));
+        assertTrue(CommandLine.mayOpenWindow("--startup-time", "a.xml"));
+        assertTrue(CommandLine.mayOpenWindow("compare", "a.xml", "--open"));
+        assertFalse(CommandLine.mayOpenWindow("compare", "a.xml"));
+        assertFalse(CommandLine.mayOpenWindow("run", "a.xml"));
+        assertFalse(CommandLine.mayOpenWindow("help", "run"));
+        assertFalse(CommandLine.mayOpenWindow("--version"));
+    }
 }
