@@ -44,15 +44,23 @@ final class CompareCommand {
         this.output = output;
     }
 
-    /** Keeps the last state of a run, and measures the path. */
+    /** Keeps the last state of a run, and measures the path. The decisions are recorded only if the run is replayed. */
     private static final class EndObserver implements TickObserver {
+        private final boolean replayed;
         private RobotPath path;
         private Journal journal;
         private Pose last;
         private double metres;
 
+        EndObserver(boolean replayed) {
+            this.replayed = replayed;
+        }
+
         @Override
         public void observe(Simulation simulation) {
+            if (!replayed) {
+                simulation.stopRecordingDecisions();
+            }
             Pose pose = simulation.pose();
             metres += last == null ? 0 : StrictMath.hypot(pose.x() - last.x(), pose.y() - last.y());
             last = pose;
@@ -177,7 +185,7 @@ final class CompareCommand {
         List<ControllerRuns.FailedRun> broken = new ArrayList<>();
         for (int i = 0; i < seeds; i++) {
             SimulationSetup setup = scenario.setup().withSeed(scenario.setup().seed() + i);
-            EndObserver end = new EndObserver();
+            EndObserver end = new EndObserver(!replays.containsKey(replayFile));
             try {
                 RunResult result = runOnce(choice, scenario.name(), setup, options, end);
                 runs.add(ControllerRuns.ComparedRun.of(result, end.path, end.metres, scenario.setup()));

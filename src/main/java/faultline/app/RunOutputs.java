@@ -104,6 +104,9 @@ final class RunOutputs implements AutoCloseable {
         if (!opened.containsKey(Output.FILM) && !opened.containsKey(Output.IMAGE)) {
             observers.add(Simulation::stopRecordingPath);
         }
+        if (!opened.containsKey(Output.JOURNAL)) {
+            observers.add(Simulation::stopRecordingDecisions);
+        }
         if (opened.containsKey(Output.IMAGE) || opened.containsKey(Output.JOURNAL)) {
             observers.add(this::recordEnd);
         }

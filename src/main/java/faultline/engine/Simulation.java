@@ -42,6 +42,7 @@ public final class Simulation implements AutoCloseable {
     private final Controller foreignController;
 
     private final DecisionLog decisionLog = new DecisionLog();
+    private boolean recordsDecisions;
     private final CommandListener commandListener;
     private final Timeline timeline;
     private final List<Journal.Entry> journal = new ArrayList<>();
@@ -111,6 +112,7 @@ public final class Simulation implements AutoCloseable {
         // Made after the world, because nobody would close it if the world could not be made.
         this.controller = controllers.get();
         this.foreignController = isForeign ? controller : null;
+        this.recordsDecisions = isForeign;
         this.controllerSpec = setup.controller();
         this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
@@ -154,7 +156,7 @@ public final class Simulation implements AutoCloseable {
     public void tick() {
         executeDueCommands(world.tick() + 1);
         activeDecision = controllerHost.await();
-        if (foreignController != null) {
+        if (recordsDecisions) {
             decisionLog.add(world.tick(), activeDecision);
         }
         move();
@@ -249,6 +251,14 @@ public final class Simulation implements AutoCloseable {
      */
     public void stopRecordingPath() {
         trajectoryRecorder.stopRecordingPath();
+    }
+
+    /**
+     * Stops recording the decisions of a controller that is not part of the program, for a run that is not replayed:
+     * they fill the memory if it changes the volts in every tick. {@link #journal} has the decisions made before.
+     */
+    public void stopRecordingDecisions() {
+        recordsDecisions = false;
     }
 
     /**

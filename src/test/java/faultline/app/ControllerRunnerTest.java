@@ -9,6 +9,7 @@ import faultline.control.Decision;
 import faultline.control.Telemetry;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
 import faultline.external.ControllerChoice;
 import faultline.external.ExternalController;
 import faultline.external.ProcessControllerSource;
@@ -17,6 +18,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -28,6 +30,8 @@ import org.junit.jupiter.api.io.TempDir;
 class ControllerRunnerTest {
 
     private static final AtomicInteger PROVIDERS = new AtomicInteger();
+    private static final ProcessControllerSource.ChildSettings SETTINGS = new ProcessControllerSource.ChildSettings(
+            "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
 
     @TempDir
     private Path folder;
@@ -60,14 +64,34 @@ class ControllerRunnerTest {
         return jar;
     }
 
+    private int recordedDecisions(String... arguments) throws Exception {
+        List<String> run = new ArrayList<>(List.of("scenarios/yard.xml"));
+        run.addAll(List.of(arguments));
+        AtomicInteger decisions = new AtomicInteger();
+        try (RunOutputs outputs = new RunOutputs(RunOptions.parse(run))) {
+            List<TickObserver> observers = new ArrayList<>(outputs.observers());
+            observers.add(
+                    simulation -> decisions.set(simulation.journal().decisions().size()));
+            new ControllerRunner(new ControllerChoice("counted", List.of(jar())), SETTINGS)
+                    .run(Scenario.loadShipped("yard.xml").setup().withDuration(0.1), ControllerMode.DIRECT, observers);
+        }
+        return decisions.get();
+    }
+
+    /** They fill the memory in a long run with a controller that changes the volts in every tick. */
+    @Test
+    void theDecisionsOfARunAreRecordedOnlyForItsJournal() throws Exception {
+        assertEquals(0, recordedDecisions());
+        assertEquals(0, recordedDecisions("--image", folder.resolve("a.png").toString()));
+        assertEquals(1, recordedDecisions("--journal", folder.resolve("a.xml").toString()));
+    }
+
     @Test
     void aRunSearchesItsJarsWhenItIsPreparedAndWhenItStarts() throws Exception {
         SimulationSetup setup = Scenario.loadShipped("yard.xml").setup().withDuration(0.1);
-        ProcessControllerSource.ChildSettings settings = new ProcessControllerSource.ChildSettings(
-                "test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
         ControllerChoice choice = new ControllerChoice("counted", List.of(jar()));
         PROVIDERS.set(0);
-        new ControllerRunner(choice, settings).run(setup, ControllerMode.DIRECT, List.of());
+        new ControllerRunner(choice, SETTINGS).run(setup, ControllerMode.DIRECT, List.of());
         assertEquals(2, PROVIDERS.get());
     }
 }

@@ -123,6 +123,18 @@ class ForeignControllerTest {
     }
 
     @Test
+    void aRunWhoseDecisionsAreNotRecordedIsTheSame() throws Exception {
+        SimulationSetup setup = ControllerChoice.of("right-turner").applyTo(yard().setup(), null);
+        AtomicReference<Journal> journal = new AtomicReference<>();
+        RunResult result = HeadlessRun.run(
+                setup,
+                ControllerMode.DIRECT,
+                List.of(Simulation::stopRecordingDecisions, simulation -> journal.set(simulation.journal())));
+        assertEquals(List.of(), journal.get().decisions());
+        assertEquals(record(yard(), setup).result().trajectoryHash(), result.trajectoryHash());
+    }
+
+    @Test
     void theRecordOfDecisionsIsNotContinued() throws Exception {
         SimulationSetup setup = ControllerChoice.of("right-turner").applyTo(yard().setup(), null);
         SimulationSetup longer = record(yard(), setup).replay().setup().withDuration(30.02);

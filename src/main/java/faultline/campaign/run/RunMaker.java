@@ -52,7 +52,7 @@ final class RunMaker {
             RunResult result = HeadlessRun.run(
                     setup,
                     ControllerMode.DIRECT,
-                    List.of(Simulation::stopRecordingPath, carry, diagnosis),
+                    List.of(Simulation::stopRecordingPath, Simulation::stopRecordingDecisions, carry, diagnosis),
                     () -> untilVerdict && carry.isDecided()
                             || Thread.currentThread().isInterrupted());
             if (Thread.currentThread().isInterrupted()) {
