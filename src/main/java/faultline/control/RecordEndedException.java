@@ -5,6 +5,8 @@ public final class RecordEndedException extends IllegalStateException {
 
     private static final long serialVersionUID = 1L;
 
+    private final long ticks;
+
     /**
      * Creates an exception.
      *
@@ -12,5 +14,11 @@ public final class RecordEndedException extends IllegalStateException {
      */
     public RecordEndedException(long ticks) {
         super("the record of decisions ends after tick " + ticks);
+        this.ticks = ticks;
+    }
+
+    /** {@return the number of ticks that the record covers} */
+    public long ticks() {
+        return ticks;
     }
 }

@@ -11,6 +11,10 @@ public enum RunProblem implements Message.Template {
     RUN_BROKE("the run broke at tick {0}: {1}"),
     /** The run was interrupted. */
     INTERRUPTED("the run was interrupted at tick {0}"),
+    /** A record of decisions is shorter than the run that repeats it. */
+    RECORD_ENDED("the record of decisions ends after tick {0}"),
+    /** The contacts of the robot in a tick cannot be found. */
+    UNRESOLVED_CONTACT("tick {0}: {1}"),
     /** The controller threw an exception. */
     CONTROLLER_BROKE("the controller broke at tick {0}: {1}"),
     /** The controller does not answer. */

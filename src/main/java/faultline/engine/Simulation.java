@@ -167,7 +167,8 @@ public final class Simulation implements AutoCloseable {
         try {
             world.move(activeDecision.leftVolts(), activeDecision.rightVolts());
         } catch (World.UnresolvedContactException unresolved) {
-            throw new RunFailedException("tick " + (world.tick() + 1) + ": " + unresolved.getMessage(), unresolved);
+            throw new RunFailedException(
+                    RunProblem.UNRESOLVED_CONTACT.with(world.tick() + 1, unresolved.getMessage()), unresolved);
         }
     }
 

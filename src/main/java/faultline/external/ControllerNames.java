@@ -56,9 +56,10 @@ public final class ControllerNames {
      * path.
      */
     static Object hint(String command) {
+        String word = command.strip();
         List<String> names = all();
-        return command.contains(" ") || command.contains("/") || command.contains("\\")
+        return word.contains(" ") || word.contains("/") || word.contains("\\")
                 ? ""
-                : Allowed.withHint(ControllerProblem.NAMES.with(Allowed.names(names)), command, names);
+                : Allowed.withHint(ControllerProblem.NAMES.with(Allowed.names(names)), word, names);
     }
 }

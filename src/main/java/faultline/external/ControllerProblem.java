@@ -51,7 +51,7 @@ public enum ControllerProblem implements Message.Template {
     NO_SERVICE("the jar {0} has no controller, because it has no file {1}, which contains the full name of the"
             + " controller''s class"),
     /** The hint for a misspelt name. */
-    NAMES("; controllers in Java are {0}"),
+    NAMES("; names of controllers are {0}"),
 
     /** The child has ended. */
     ENDED("{0} ended with exit code {2}{1}{3}"),

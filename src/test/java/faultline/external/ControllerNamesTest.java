@@ -15,6 +15,7 @@ class ControllerNamesTest {
     void aWordThatIsNearlyANameGetsAHint() {
         String hint = ControllerNames.hint("wall-folower").toString();
         assertTrue(hint.contains("wall-follower") && hint.contains("did you mean"), hint);
+        assertEquals(hint, ControllerNames.hint(" wall-folower ").toString());
         String names = ControllerNames.hint("somethingelse").toString();
         assertTrue(names.contains("wall-follower, none") && !names.contains("did you mean"), names);
         for (String command : List.of("wall folower", "./none", "bin\\none")) {

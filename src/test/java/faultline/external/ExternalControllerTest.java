@@ -248,7 +248,7 @@ class ExternalControllerTest {
     void aWordThatNoProgramHasNamesTheControllersOfTheProgram() {
         String message = assertThrows(ControllerStartException.class, () -> run("built-in", office(), LONG))
                 .getMessage();
-        assertTrue(message.endsWith("; controllers in Java are wall-follower, none"), message);
+        assertTrue(message.endsWith("; names of controllers are wall-follower, none"), message);
         String path = assertThrows(ControllerStartException.class, () -> run("/no/built-in", office(), LONG))
                 .getMessage();
         assertFalse(path.contains("wall-follower"), path);

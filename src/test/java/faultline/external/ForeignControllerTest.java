@@ -16,6 +16,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
+import faultline.gui.text.Translations;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -141,6 +142,7 @@ class ForeignControllerTest {
         RunFailedException e =
                 assertThrows(RunFailedException.class, () -> HeadlessRun.run(longer, ControllerMode.DIRECT, List.of()));
         assertEquals("the record of decisions ends after tick 3000", e.getMessage());
+        Translations.assertTranslated(e.reason());
     }
 
     @Test
