@@ -108,7 +108,8 @@ final class ControllerThread implements AutoCloseable {
      *
      * @throws ExecutionException with what the call throws
      * @throws TimeoutException if the call does not return in time
-     * @throws RunFailedException if this thread is interrupted during the call
+     * @throws RunFailedException if this thread is interrupted during the call. Its message names tick 0, also if the
+     *     controller is closed after a run
      */
     static <T> T call(double timeout, Callable<T> call) throws ExecutionException, TimeoutException {
         boolean interrupted = Thread.interrupted();

@@ -8,8 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Thrown if a run cannot continue: its controller threw an exception or does not answer. The message is one sentence
- * for the user.
+ * Thrown if a run cannot start or continue, or its result cannot be computed: its controller cannot be found, created
+ * or closed, threw an exception or does not answer; the contacts of the robot cannot be found; the run was interrupted;
+ * or an error of the program itself ended it. The message is one sentence for the user.
  */
 public class RunFailedException extends RuntimeException {
 
@@ -70,8 +71,8 @@ public class RunFailedException extends RuntimeException {
             return failed;
         }
         return new RunFailedException(
-                cause instanceof RecordEndedException
-                        ? RunProblem.OTHER.with(cause.getMessage())
+                cause instanceof RecordEndedException ended
+                        ? RunProblem.RECORD_ENDED.with(ended.ticks())
                         : RunProblem.CONTROLLER_BROKE.with(tick, describe(cause)),
                 cause);
     }

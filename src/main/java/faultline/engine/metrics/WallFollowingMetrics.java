@@ -19,8 +19,8 @@ import java.util.function.BiFunction;
 
 /**
  * Measures a wall follower from ground truth: the followed share of the wall, and the error of the distance. If the
- * first controller is none, the measures begin with the first wall follower that a command starts. Other controllers
- * have no measures.
+ * first controller is none, the measures begin with the first wall follower that a command starts. A controller that is
+ * not part of the program is measured from the distance that its specification wants.
  */
 final class WallFollowingMetrics implements TickObserver {
 
