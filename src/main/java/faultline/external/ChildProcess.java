@@ -15,6 +15,7 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * A child process with which lines are exchanged. The calling thread polls the child's output and never blocks in a
@@ -290,6 +291,39 @@ final class ChildProcess implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /**
+     * Closes the child as {@link #close} does, and returns whether one of the complete lines that it has left or writes
+     * until its end is wanted.
+     */
+    boolean closeAndFind(Predicate<String> wanted) {
+        startCloser();
+        boolean found = false;
+        try {
+            boolean alive = true;
+            while (!found && alive && !Thread.currentThread().isInterrupted()) {
+                // Asked first: what the child writes before its end is then read below.
+                alive = process.isAlive();
+                found = find(wanted);
+                LockSupport.parkNanos(alive && !found ? LONGEST_SLEEP : 0);
+            }
+        } catch (IOException | ProtocolException unreadable) {
+            // The child was ended, or what it writes is not a line.
+        }
+        close();
+        return found;
+    }
+
+    private boolean find(Predicate<String> wanted) throws IOException, ProtocolException {
+        do {
+            for (String line = output.next(); line != null; line = output.next()) {
+                if (wanted.test(line)) {
+                    return true;
+                }
+            }
+        } while (output.fill());
+        return false;
     }
 
     private synchronized void startCloser() {

@@ -80,6 +80,8 @@ public enum ControllerProblem implements Message.Template {
     TYPE("{0} wrote a message{1} of type {2}; expected \"{3}\""),
     /** An answer for another tick. */
     TICK("{0} answered tick {2}{1}; expected the tick of the observation"),
+    /** An answer that was not asked for. */
+    EXTRA_ANSWER("{0} answered more often than it was asked{1}; expected one answer for each observation"),
     /** A line that is too long. */
     LONG_LINE("{0} wrote a line of more than {2} bytes{1}; expected shorter ones"),
     /** A line in another encoding. */

@@ -212,11 +212,13 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     }
 
     /**
-     * Informs the child that the run has ended; what the child does after that has no effect.
+     * Informs the child that the run has ended, and closes it. What the child does after the end has no effect, unless
+     * it has answered more often than it was asked.
      *
      * @param reason the reason for the end, such as {@code duration}
      * @param trajectoryHash the trajectory hash of the whole run
      * @param summary the lines of the run's summary
+     * @throws RunFailedException if there is a further answer
      */
     public void finish(String reason, String trajectoryHash, Map<String, String> summary) {
         try {
@@ -224,6 +226,18 @@ public final class ExternalController implements Controller, TickObserver, AutoC
                     .finish());
         } catch (ProtocolException gone) {
             // A child that has already ended needs no message.
+        }
+        if (child.closeAndFind(ExternalController::isAnswer)) {
+            ProtocolException extra = new ProtocolException(ControllerProblem.EXTRA_ANSWER);
+            throw new RunFailedException(extra.sentence(who, ""), extra);
+        }
+    }
+
+    private static boolean isAnswer(String line) {
+        try {
+            return MessageReader.of(line).string("type").equals("drive");
+        } catch (ProtocolException other) {
+            return false;
         }
     }
 

@@ -78,10 +78,11 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
     }
 
     /**
-     * Sends the result of its run to the latest child.
+     * Sends the result of its run to the latest child, and ends it.
      *
      * @param trajectoryHash the trajectory hash of the whole run
      * @param summary the lines of the run's summary
+     * @throws RunFailedException if the child has answered more often than it was asked
      */
     public void finish(String trajectoryHash, Map<String, String> summary) {
         newest.finish("duration", trajectoryHash, summary);

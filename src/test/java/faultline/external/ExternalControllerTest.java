@@ -12,6 +12,7 @@ import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
+import faultline.gui.text.Translations;
 import faultline.io.ShellText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -149,6 +150,26 @@ class ExternalControllerTest {
                         + "echo $A; echo $A; read l; read l";
         RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(twice), office(), LONG));
         assertTrue(e.getMessage().contains("answered tick 0 at tick 1"), e.getMessage());
+    }
+
+    @Test
+    void aSecondAnswerToTheLastObservationIsFoundAtTheEnd() throws Exception {
+        String ready = "read l; echo '" + READY + "'; read l; " + drive("0") + " ";
+        SimulationSetup setup = office().withDuration(0.01);
+        for (String extra : List.of(drive("0"), "read l; sleep 0.5; " + drive("1"))) {
+            String command = shell(ready + extra);
+            RunFailedException e = assertThrows(RunFailedException.class, () -> run(command, setup, LONG));
+            assertEquals(
+                    "the controller \"" + command
+                            + "\" answered more often than it was asked; expected one answer for each observation",
+                    e.getMessage());
+            Translations.assertTranslated(e.reason());
+        }
+        assertEquals(
+                1,
+                run(shell(ready + "echo the end; echo more; printf '{\"type\":\"drive'"), setup, LONG)
+                        .ticks());
+        assertEquals(List.of(), childrenStillRunning());
     }
 
     @Test
