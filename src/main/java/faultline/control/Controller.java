@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** Drives the robot. It is called once per tick, in order, by one thread at a time. */
+/** Drives the robot. It is called once per decision, every tick or every period, in order, by one thread at a time. */
 @FunctionalInterface
 public interface Controller {
 

@@ -2,7 +2,10 @@ package faultline.sensor;
 
 import faultline.geometry.Angles;
 
-/** Faults of the optics, which change what the sensor sees. Their angles are in degrees, as in files. */
+/**
+ * Faults of the optics. They change what the sensor sees, except {@link ShortRange}, which only removes its readings
+ * beyond a distance. Their angles are in degrees, as in files.
+ */
 public final class OpticalFault {
 
     private OpticalFault() {}
