@@ -2,12 +2,8 @@ package faultline.engine.walls;
 
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Vector2;
-import faultline.world.CandidateBuffer;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Collections;
-import java.util.List;
 
 /**
  * Up to {@link #LONG} neighbouring places of a row. A free place has the number of the piece of path that it belongs
@@ -113,70 +109,76 @@ final class PlaceBlock {
      * Finds which places are free; in a block that is too long and not alone, nothing is found.
      *
      * @param wall the wall of the row
-     * @param near all walls within the distance of the places, and the join distance besides
+     * @param walls all walls
      * @param distance the distance of the places from the wall, metres
+     * @param joinDistance the greatest distance between places that are joined, metres
      * @param shared the number of places at either end of the row that may be near to those of other rows of the wall
      */
-    void occupy(ConvexShape wall, CandidateBuffer near, double distance, int shared) {
-        boolean alone = connected && from >= shared && end() <= row.size() - shared;
-        for (int i = 0; alone && i < near.size(); i++) {
-            alone = near.shape(i) == wall;
-        }
-        if (alone) {
+    void occupy(ConvexShape wall, WallTree walls, double distance, double joinDistance, int shared) {
+        boolean between = connected && from >= shared && end() <= row.size() - shared;
+        if (between && !hasOther(wall, walls, radius + distance + joinDistance)) {
             return;
         }
         pieces = new int[size];
         if (size <= SHORT) {
             Arrays.fill(pieces, NO_PIECE);
-            occupy(near, distance);
+            occupy(walls, distance);
         }
+    }
+
+    @SuppressWarnings("ReferenceEquality") // An equal wall is another one.
+    private boolean hasOther(ConvexShape wall, WallTree walls, double reach) {
+        int other = walls.find(
+                centre,
+                reach,
+                i -> (walls.wall(i) != wall || walls.hasEqual(i))
+                        && walls.wall(i).distanceTo(centre.x(), centre.y()) <= reach + WallReference.ROUNDING);
+        return other != WallTree.NONE;
     }
 
     /** Marks the places that are nearer to some walls than the distance. */
-    private void occupy(CandidateBuffer near, double distance) {
-        List<ConvexShape> close = new ArrayList<>();
-        double least = radius + distance;
-        for (int i = 0; i < near.size(); i++) {
-            double toCentre = near.shape(i).distanceTo(centre.x(), centre.y());
-            if (WallReference.occupiesAround(toCentre, distance, radius)) {
-                Arrays.fill(pieces, OCCUPIED);
-                free = 0;
-                return;
-            }
-            if (toCentre <= radius + distance) {
-                close.add(near.shape(i));
-            }
-            if (toCentre < least) {
-                // The nearest wall is tested first, because it occupies the most places.
-                least = toCentre;
-                Collections.swap(close, 0, close.size() - 1);
-            }
+    private void occupy(WallTree walls, double distance) {
+        if (isOccupied(walls, distance)) {
+            Arrays.fill(pieces, OCCUPIED);
+            free = 0;
+            return;
         }
-        for (int i = 0; i < close.size() && free > 0; i++) {
-            occupy(close.get(i), distance);
-        }
-    }
-
-    /** Marks the places that are nearer to a wall than the distance. */
-    private void occupy(ConvexShape wall, double distance) {
+        int nearer = WallTree.NONE;
         int i = 0;
         while (i < size) {
-            if (pieces[i] == OCCUPIED) {
+            Vector2 place = place(i);
+            nearer = nearer(walls, nearer, place, distance);
+            if (nearer == WallTree.NONE) {
                 i++;
                 continue;
             }
-            double nearness = WallReference.nearness(wall, place(i), distance);
-            // From one place to the next the distance changes by at most a step, so this many places are on the same
-            // side.
-            int alike = (int) Math.min(size, (Math.abs(nearness) - WallReference.ROUNDING) / step);
-            int end = Math.min(size, i + 1 + Math.max(0, alike));
-            for (; i < end; i++) {
-                if (nearness > 0 && pieces[i] != OCCUPIED) {
-                    pieces[i] = OCCUPIED;
-                    free--;
-                }
-            }
+            double nearness = WallReference.nearness(walls.wall(nearer), place, distance);
+            // From one place to the next the distance changes by at most a step.
+            int alike = (int) Math.min(size, Math.max(0, (nearness - WallReference.ROUNDING) / step));
+            int end = Math.min(size, i + 1 + alike);
+            Arrays.fill(pieces, i, end, OCCUPIED);
+            free -= end - i;
+            i = end;
         }
+    }
+
+    /** Returns whether one wall is nearer to all places than the distance. */
+    private boolean isOccupied(WallTree walls, double distance) {
+        int occupier = walls.find(centre, WallReference.nearness(0, distance) - radius, i -> {
+            double toCentre = walls.wall(i).distanceTo(centre.x(), centre.y());
+            return WallReference.occupiesAround(toCentre, distance, radius);
+        });
+        return occupier != WallTree.NONE;
+    }
+
+    /** Returns a wall that is nearer to a place than the distance, if possible one that is nearer to others. */
+    private static int nearer(WallTree walls, int known, Vector2 place, double distance) {
+        return known != WallTree.NONE && WallReference.nearness(walls.wall(known), place, distance) > 0
+                ? known
+                : walls.find(
+                        place,
+                        WallReference.nearness(0, distance),
+                        i -> WallReference.nearness(walls.wall(i), place, distance) > 0);
     }
 
     /** Returns whether all places are free, in one piece, and apart from those of any other wall. */

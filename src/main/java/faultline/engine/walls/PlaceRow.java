@@ -141,6 +141,10 @@ sealed interface PlaceRow {
             }
             double angle = direction(one);
             double turn = Angles.difference(angle, direction(other));
+            if (Math.abs(turn) > StrictMath.PI - MARGIN) {
+                // The segments continue each other, so places on both sides are free.
+                return this;
+            }
             double middle = angle + turn / 2 + StrictMath.PI;
             double half = (StrictMath.PI - Math.abs(turn)) / 2 + MARGIN;
             double placesPerRadian = circle.size() / (2 * StrictMath.PI);

@@ -12,9 +12,6 @@ import java.util.stream.DoubleStream;
  */
 public final class WallCircuit {
 
-    /** The radius of a run, as a share of the join distance: two places of a run are always joined. */
-    private static final double RUN_RADIUS = 1 / 32.0;
-
     private final List<WallReference.WallSample> places;
     private final double tolerance;
     private final int[] paths;
@@ -29,12 +26,6 @@ public final class WallCircuit {
     private final CellNumbers lastInCell = new CellNumbers();
 
     private final int[] before;
-    /**
-     * The first place of the run of each place. Around a thin ellipse, thousands can be in one cell, so successive ones
-     * of a cell that are very near to the first of them make a run, whose places are on one path.
-     */
-    private final int[] runs;
-
     /** {@return a circuit without any path, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
@@ -57,11 +48,11 @@ public final class WallCircuit {
         xs = places.stream().mapToDouble(place -> place.position().x()).toArray();
         ys = places.stream().mapToDouble(place -> place.position().y()).toArray();
         before = new int[count];
-        runs = new int[count];
+        PointRuns runs = new PointRuns(joinDistance);
         for (int i = 0; i < count; i++) {
             paths[i] = i;
-            joinWithEarlier(i, joinDistance);
-            addToCell(i, joinDistance);
+            joinWithEarlier(i, runs);
+            addToCell(i);
         }
         for (int i = 0; i < count; i++) {
             paths[i] = root(i);
@@ -70,18 +61,14 @@ public final class WallCircuit {
         maxLength = DoubleStream.of(lengths).max().orElse(0);
     }
 
-    private void joinWithEarlier(int i, double joinDistance) {
-        forEachCell(xs[i], ys[i], joinDistance, last -> {
-            for (int other = last; other != CellNumbers.NONE; ) {
-                double distance = distance(other, xs[i], ys[i]);
-                if (distance <= joinDistance) {
-                    join(i, other);
-                }
-                // The others of a run are at most twice its radius away.
-                boolean isDecided = distance <= joinDistance || distance > (1 + 3 * RUN_RADIUS) * joinDistance;
-                other = before[isDecided ? runs[other] : other];
-            }
-        });
+    private void joinWithEarlier(int i, PointRuns runs) {
+        Vector2 position = places.get(i).position();
+        int own = runs.add(position);
+        if (runs.isTwin(i, own)) {
+            join(i, own);
+        } else {
+            runs.forEachNear(position, run -> join(i, run));
+        }
     }
 
     private void join(int one, int other) {
@@ -99,12 +86,9 @@ public final class WallCircuit {
         return at;
     }
 
-    private void addToCell(int i, double joinDistance) {
+    private void addToCell(int i) {
         long cell = CellKey.of(column(xs[i]), column(ys[i]));
-        int last = lastInCell.get(cell);
-        boolean continues = last != CellNumbers.NONE && distance(runs[last], xs[i], ys[i]) <= RUN_RADIUS * joinDistance;
-        runs[i] = continues ? runs[last] : i;
-        before[i] = last;
+        before[i] = lastInCell.get(cell);
         lastInCell.put(cell, i);
     }
 

@@ -5,10 +5,10 @@ import faultline.geometry.ConvexShape;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
-import faultline.world.CandidateBuffer;
 import faultline.world.SpatialIndex;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -25,13 +25,12 @@ public final class WallReference {
     public static final int MAX_PLACES = 2_000_000;
 
     private final WorldSpec world;
-    private final CandidateBuffer candidates = new CandidateBuffer();
     /** Null until it is needed, because creating it takes a long time in large worlds. */
     private SpatialIndex index;
     /** Not a number until it is needed. */
     private double length = Double.NaN;
-    /** The wall that was nearer to the last place that is not free: it often is nearer to the next place too. */
-    private ConvexShape lastNearer;
+    /** Null until it is needed. */
+    private WallTree tree;
 
     /**
      * Creates the reference of a world at its start.
@@ -59,6 +58,14 @@ public final class WallReference {
             index = SpatialIndex.ofStaticShapes(world);
         }
         return index;
+    }
+
+    /** Returns the walls for the searches of places. */
+    WallTree tree() {
+        if (tree == null) {
+            tree = new WallTree(walls());
+        }
+        return tree;
     }
 
     /** {@return the number of shapes that the walls consist of} */
@@ -108,44 +115,32 @@ public final class WallReference {
             throw new PathTooLongException(distance, MAX_PLACES);
         }
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
+        PlaceFinder finder = new PlaceFinder(tree(), distance, Double.POSITIVE_INFINITY, MAX_PLACES);
         for (int i = 0; i < walls().size(); i++) {
-            List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach, circle);
-            boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
-            if (bothSides) {
-                addInTurn(rows.get(0), rows.get(1), distance, places);
+            ConvexShape wall = walls().shape(i);
+            List<Ranked> free = new ArrayList<>();
+            for (PlaceRow row : PlaceRow.of(wall, distance, spacing, reach, circle)) {
+                PlaceRow part = row instanceof PlaceRow.Arc arc ? finder.outside(arc, (Segment) wall) : row;
+                finder.forEachFree(wall, part, block -> addFree(block, MAX_PLACES - places.size(), distance, free));
             }
-            for (PlaceRow row : rows.subList(bothSides ? 2 : 0, rows.size())) {
-                for (int place = 0; place < row.size(); place++) {
-                    addIfFree(row, place, distance, places);
-                }
-            }
+            free.sort(Comparator.comparingLong(Ranked::rank));
+            free.forEach(place -> places.add(place.sample));
         }
         return places;
     }
 
-    private void addInTurn(PlaceRow left, PlaceRow right, double distance, List<WallSample> places) {
-        for (int place = 0; place < left.size(); place++) {
-            addIfFree(left, place, distance, places);
-            addIfFree(right, place, distance, places);
-        }
-    }
+    /** A place with its position in the order of all places of its wall. */
+    private record Ranked(long rank, WallSample sample) {}
 
-    private void addIfFree(PlaceRow row, int index, double distance, List<WallSample> places) {
-        Vector2 place = row.place(index);
-        if (lastNearer != null && nearness(lastNearer, place, distance) > 0) {
-            return;
-        }
-        CandidateBuffer near = findNear(place, distance);
-        for (int i = 0; i < near.size(); i++) {
-            if (nearness(near.shape(i), place, distance) > 0) {
-                lastNearer = near.shape(i);
-                return;
+    private static void addFree(PlaceBlock block, int max, double distance, List<Ranked> free) {
+        for (int i = 0; i < block.size(); i++) {
+            if (block.isFree(i)) {
+                if (free.size() == max) {
+                    throw new PathTooLongException(distance, MAX_PLACES);
+                }
+                free.add(new Ranked(block.rank(i), new WallSample(block.place(i), block.wallLength(i))));
             }
         }
-        if (places.size() == MAX_PLACES) {
-            throw new PathTooLongException(distance, MAX_PLACES);
-        }
-        places.add(new WallSample(place, row.wallLength(index)));
     }
 
     /**
@@ -170,13 +165,6 @@ public final class WallReference {
      */
     static boolean occupiesAround(double toWall, double distance, double radius) {
         return nearness(toWall, distance) - radius > ROUNDING;
-    }
-
-    /** Returns the walls near a point, and perhaps others, until the next call. */
-    CandidateBuffer findNear(Vector2 point, double radius) {
-        candidates.clear();
-        walls().findNear(point.x(), point.y(), radius, candidates);
-        return candidates;
     }
 
     /** Thrown if the path along the walls is too long to be sampled. */
