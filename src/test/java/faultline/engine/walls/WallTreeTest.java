@@ -124,7 +124,7 @@ class WallTreeTest {
         return world(count, i -> new Obstacle("t" + i, new ObstacleShape.RectangleShape(1, 0.25), new Pose(3, 2, 0.3)));
     }
 
-    /** Comparing each place with all walls near it took more than eight times as many steps. */
+    /** Comparing each place with all walls near it would take about sixteen times as many steps. */
     @Test
     void fourTimesAsManyWallsInOnePlaceTakeAboutFourTimesAsManySteps() {
         for (Function<Integer, WorldSpec> dense : List.<Function<Integer, WorldSpec>>of(
