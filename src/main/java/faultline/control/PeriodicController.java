@@ -118,7 +118,8 @@ public final class PeriodicController implements Controller, AutoCloseable {
                 if (e instanceof InterruptedException) {
                     Thread.currentThread().interrupt();
                 }
-                throw new IllegalStateException(e);
+                // With a message of its own, because the text of an exception of a controller may not be readable.
+                throw new IllegalStateException("the controller cannot be closed", e);
             }
         }
     }

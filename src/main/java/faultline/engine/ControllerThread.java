@@ -31,6 +31,32 @@ final class ControllerThread implements AutoCloseable {
 
     private static final long GRACE_MILLIS = 500;
 
+    /**
+     * What a call has returned or thrown; the other is null. The executor would ask for the text of what is thrown,
+     * which may throw an exception, too.
+     *
+     * @param <T> the type of the result
+     * @param result what the call has returned
+     * @param failure what the call has thrown
+     */
+    record CallOutcome<T>(T result, Throwable failure) {
+
+        private static <T> CallOutcome<T> of(Callable<T> call) {
+            try {
+                return new CallOutcome<>(call.call(), null);
+            } catch (Throwable failure) {
+                return new CallOutcome<>(null, failure);
+            }
+        }
+
+        private T get() throws ExecutionException {
+            if (failure != null) {
+                throw new ExecutionException(null, failure);
+            }
+            return result;
+        }
+    }
+
     private final ExecutorService executor;
     private final double timeout;
 
@@ -49,23 +75,24 @@ final class ControllerThread implements AutoCloseable {
     }
 
     /** Begins a call. */
-    <T> Future<T> submit(Callable<T> call) {
-        return executor.submit(call);
+    <T> Future<CallOutcome<T>> submit(Callable<T> call) {
+        return executor.submit(() -> CallOutcome.of(call));
     }
 
     /** Waits for the result of the last call. */
-    <T> T await(Future<T> result) throws ExecutionException, TimeoutException, InterruptedException {
+    <T> T await(Future<CallOutcome<T>> result) throws ExecutionException, TimeoutException, InterruptedException {
         for (int i = 1; i < WAKES; i++) {
             try {
-                return next(result);
+                return next(result).get();
             } catch (TimeoutException early) {
                 continue;
             }
         }
-        return next(result);
+        return next(result).get();
     }
 
-    private <T> T next(Future<T> result) throws ExecutionException, TimeoutException, InterruptedException {
+    private <T> CallOutcome<T> next(Future<CallOutcome<T>> result)
+            throws ExecutionException, TimeoutException, InterruptedException {
         return result.get((long) (timeout / WAKES * NANOS_PER_SECOND), TimeUnit.NANOSECONDS);
     }
 

@@ -16,7 +16,7 @@ final class ThreadedHost implements ControllerHost {
 
     private final Controller controller;
     private final ControllerThread thread;
-    private Future<Decision> decision;
+    private Future<ControllerThread.CallOutcome<Decision>> decision;
     private long tick;
 
     /** Creates the thread; the time-out is in seconds. */

@@ -90,7 +90,7 @@ class ControllerHostTest {
     }
 
     /** An exception whose text cannot be read. */
-    private static final class Unspeakable extends RuntimeException {
+    static final class Unspeakable extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
         @Override
@@ -99,11 +99,19 @@ class ControllerHostTest {
         }
     }
 
-    @Test
-    void anExceptionThatCannotBeReadIsNamedByItsClass() {
-        assertEquals(
-                "the controller broke at tick 7: " + Unspeakable.class.getName() + ", whose text cannot be read",
-                RunFailedException.ofController(7, new Unspeakable()).getMessage());
+    @ParameterizedTest
+    @EnumSource(ControllerMode.class)
+    void anExceptionThatCannotBeReadIsNamedByItsClass(ControllerMode mode) {
+        Controller broken = observation -> {
+            throw new Unspeakable();
+        };
+        try (ControllerHost host = ControllerHost.create(broken, mode)) {
+            submit(host);
+            RunFailedException failure = assertThrows(RunFailedException.class, host::await);
+            assertEquals(
+                    "the controller broke at tick 7: " + Unspeakable.class.getName() + ", whose text cannot be read",
+                    failure.getMessage());
+        }
     }
 
     private static void submit(ControllerHost host) {

@@ -184,6 +184,8 @@ class ControllerProvidersTest {
             public void close() {
                 if (how.equals("never")) {
                     waitForEver();
+                } else if (how.equals("unspeakable")) {
+                    throw new ControllerHostTest.Unspeakable();
                 }
                 AssertionError error = new AssertionError(how);
                 error.setStackTrace(
@@ -343,6 +345,35 @@ class ControllerProvidersTest {
                 "the controller cannot be closed: java.lang.AssertionError: at the end"
                         + " at own.WallBot.close(WallBot.java:8)",
                 () -> run("endless-close", Map.of("close", "at the end")));
+    }
+
+    /** A provider whose exceptions cannot be read. */
+    public static final class Unspeaking implements ControllerProvider {
+        @Override
+        public String name() {
+            throw new ControllerHostTest.Unspeakable();
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new ControllerHostTest.Unspeakable();
+        }
+    }
+
+    @Test
+    void anExceptionThatCannotBeReadIsNamedByItsClass() throws Exception {
+        String unread = ControllerHostTest.Unspeakable.class.getName() + ", whose text cannot be read";
+        addProvider(Unspeaking.class);
+        assertFails(
+                "the controller in Java " + Unspeaking.class.getName() + " has no name: " + unread,
+                ControllerProviders::names);
+        assertFails(
+                "the controller \"any\" cannot be created: " + unread,
+                () -> ControllerProviders.create("any", new Unspeaking(), Map.of()));
+        addProvider(EndlessClose.class);
+        assertFails(
+                "the controller cannot be closed: " + unread,
+                () -> run("endless-close", Map.of("close", "unspeakable")));
     }
 
     @Test
