@@ -198,9 +198,6 @@ public final class ControllerProviders {
     /** Returns the message of an error, with the exception of the provider's class or constructor that caused it. */
     private static String reason(Throwable error) {
         Throwable cause = error.getCause();
-        if (cause instanceof ExceptionInInitializerError && cause.getCause() != null) {
-            cause = cause.getCause();
-        }
         return cause == null
                 ? String.valueOf(error.getMessage())
                 : error.getMessage() + ": " + RunFailedException.describe(cause);

@@ -83,14 +83,24 @@ public class RunFailedException extends RuntimeException {
      */
     static String describe(Throwable exception) {
         try {
-            String text = exception.toString();
-            String start = MessageText.shortened(text, MAX_LENGTH);
-            return place(exception.getStackTrace(), Thread.currentThread().getStackTrace())
+            Throwable reason = reason(exception);
+            String start = MessageText.shortened(reason.toString(), MAX_LENGTH);
+            return place(reason.getStackTrace(), Thread.currentThread().getStackTrace())
                     .map(place -> start + " at " + MessageText.start(place.toString(), MAX_LENGTH))
                     .orElse(start);
         } catch (RuntimeException | Error e) {
             return exception.getClass().getName() + ", whose text cannot be read";
         }
+    }
+
+    /**
+     * Returns an exception, or its cause if it says nothing else. If the initialisation of a class has failed, later
+     * uses of the class throw an error whose cause has the text and the place of the first one.
+     */
+    private static Throwable reason(Throwable exception) {
+        Throwable cause = exception.getCause();
+        boolean saysNothingElse = exception.getMessage() == null || cause instanceof ExceptionInInitializerError;
+        return cause != null && saysNothingElse ? cause : exception;
     }
 
     /**

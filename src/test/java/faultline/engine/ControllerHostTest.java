@@ -12,6 +12,7 @@ import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -87,6 +88,44 @@ class ControllerHostTest {
                 "the controller broke at tick 7: java.lang.IllegalStateException: lost"
                         + " at own.WallBot.decide(WallBot.java:17)",
                 RunFailedException.ofController(7, thrown).getMessage());
+    }
+
+    /** A class that cannot be initialised. */
+    private static final class BrokenTable {
+        private static final int SIZE = Integer.parseInt("none");
+    }
+
+    @Test
+    void aClassThatCannotBeInitialisedIsReportedWithTheReasonAtEachUse() {
+        Controller broken = observation -> new Decision(BrokenTable.SIZE, 0, ANSWER.telemetry());
+        List<String> reasons = List.of(
+                "the controller broke at tick 7: java.lang.NumberFormatException: For input string: \"none\"",
+                "the controller broke at tick 7: java.lang.ExceptionInInitializerError: Exception"
+                        + " java.lang.NumberFormatException: For input string: \"none\" [in thread");
+        for (String reason : reasons) {
+            try (ControllerHost host = ControllerHost.create(broken, ControllerMode.OWN_THREAD)) {
+                submit(host);
+                String failure =
+                        assertThrows(RunFailedException.class, host::await).getMessage();
+                assertTrue(failure.startsWith(reason), failure);
+            }
+        }
+    }
+
+    @Test
+    void theCauseOfAnExceptionWithoutAMessageIsGivenWithItsPlace() {
+        IllegalStateException cause = new IllegalStateException("no table");
+        cause.setStackTrace(new StackTraceElement[] {new StackTraceElement("own.Table", "load", "Table.java", 5)});
+        assertEquals(
+                "the controller broke at tick 7: java.lang.IllegalStateException: no table"
+                        + " at own.Table.load(Table.java:5)",
+                RunFailedException.ofController(7, new ExceptionInInitializerError(cause))
+                        .getMessage());
+        IllegalStateException own = new IllegalStateException("lost", cause);
+        own.setStackTrace(new StackTraceElement[0]);
+        assertEquals(
+                "the controller broke at tick 7: java.lang.IllegalStateException: lost",
+                RunFailedException.ofController(7, own).getMessage());
     }
 
     /** An exception whose text cannot be read. */
