@@ -6,6 +6,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.StateTracker;
 import faultline.io.Message;
 import faultline.io.MessageText;
+import java.lang.reflect.Modifier;
 import java.net.URI;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
@@ -37,6 +38,8 @@ public final class ControllerProviders {
             ControllerSpec.Recorded.TYPE);
 
     private static final Pattern MISSING_CLASS = Pattern.compile(": Provider (\\S+) not found$");
+    private static final Pattern NO_SUBTYPE = Pattern.compile(": (?:Provider )?(\\S+) not a subtype$");
+    private static final Pattern NO_CONSTRUCTOR = Pattern.compile(": (\\S+) Unable to get public no-arg constructor");
     private static final Pattern NEWER_CLASS = Pattern.compile("^(\\S+) has been .*?class file version (\\d{2,4})\\.");
     /** The version of class files is this number more than that of Java. */
     private static final int VERSION_BEFORE_JAVA_1 = 44;
@@ -167,13 +170,22 @@ public final class ControllerProviders {
         }
     }
 
-    /** Says in other words what the JDK says of two frequent mistakes. */
+    /** Says in other words what the JDK says of frequent mistakes. */
     private static Message problem(Error error) {
-        Matcher missing = MISSING_CLASS.matcher(String.valueOf(error.getMessage()));
+        String text = String.valueOf(error.getMessage());
+        Matcher missing = MISSING_CLASS.matcher(text);
         if (missing.find()) {
             return RunProblem.NO_CLASS.with(missing.group(1), ControllerProvider.class.getName());
         }
-        Matcher newer = NEWER_CLASS.matcher(String.valueOf(error.getMessage()));
+        Matcher other = NO_SUBTYPE.matcher(text);
+        if (other.find()) {
+            return RunProblem.NO_PROVIDER.with(other.group(1), ControllerProvider.class.getName());
+        }
+        Matcher closed = NO_CONSTRUCTOR.matcher(text);
+        if (closed.find()) {
+            return RunProblem.NO_CONSTRUCTOR.with(closed.group(1));
+        }
+        Matcher newer = NEWER_CLASS.matcher(text);
         if (error instanceof UnsupportedClassVersionError && newer.find()) {
             return RunProblem.NEWER_JAVA.with(
                     newer.group(1).replace('/', '.'),
@@ -184,13 +196,22 @@ public final class ControllerProviders {
     }
 
     private static ControllerProvider load(ServiceLoader.Provider<ControllerProvider> type, double timeout) {
+        String className = type.type().getName();
+        int modifiers = type.type().getModifiers();
+        if (Modifier.isAbstract(modifiers)) {
+            throw new RunFailedException(RunProblem.ABSTRACT_CLASS.with(className), null);
+        }
         try {
             return ControllerThread.call(timeout, type::get);
         } catch (ExecutionException e) {
-            throw new RunFailedException(RunProblem.NOT_LOADED.with(reason(e.getCause())), e.getCause());
+            Throwable error = e.getCause();
+            throw new RunFailedException(
+                    error.getCause() instanceof IllegalAccessException && !Modifier.isPublic(modifiers)
+                            ? RunProblem.NO_CONSTRUCTOR.with(className)
+                            : RunProblem.NOT_LOADED.with(reason(error)),
+                    error);
         } catch (TimeoutException e) {
-            String silence =
-                    ControllerThread.silence("the constructor of " + type.type().getName(), timeout);
+            String silence = ControllerThread.silence("the constructor of " + className, timeout);
             throw new RunFailedException(RunProblem.NOT_LOADED.with(silence), e);
         }
     }

@@ -38,6 +38,14 @@ public enum RunProblem implements Message.Template {
     /** A class of a controller in Java is too new. */
     NEWER_JAVA("a controller in Java cannot be loaded: {0} was compiled for Java {1}, but Java {2} runs it; compile it"
             + " with --release {2}"),
+    /** A class that is no provider. */
+    NO_PROVIDER("a controller in Java cannot be loaded: the class {0}, which a file META-INF/services/{1} names, does"
+            + " not implement {1}"),
+    /** A class of a controller in Java that the program must not create. */
+    NO_CONSTRUCTOR("a controller in Java cannot be loaded: the class {0} is not public, or has no public constructor"
+            + " without parameters"),
+    /** A class of a controller in Java that has no objects. */
+    ABSTRACT_CLASS("a controller in Java cannot be loaded: the class {0} is abstract"),
     /** A controller in Java has no name. */
     NAMELESS("the controller in Java {0} has no name: {1}"),
     /** A controller in Java has the name of a built-in one. */

@@ -31,6 +31,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Jars are read when a run starts, and may be replaced during the run. */
 class JarControllerSourceTest {
@@ -232,6 +234,67 @@ class JarControllerSourceTest {
                 "a controller in Java cannot be loaded: there is no class WallBot, which a file " + SERVICE
                         + " names; expected the full name of a class",
                 List.of(jar("WallBot")));
+    }
+
+    /** A provider that only this class may create. */
+    private static class HiddenProvider implements ControllerProvider {
+        @Override
+        public String name() {
+            return "hidden";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("nobody can ask for it");
+        }
+    }
+
+    /** Another one, with a constructor that would be public in a public class. */
+    private static final class OpenHiddenProvider extends HiddenProvider {
+
+        /** Creates the provider. */
+        public OpenHiddenProvider() {}
+    }
+
+    /** A provider that needs a value. */
+    public static final class ArgumentProvider extends HiddenProvider {
+
+        /**
+         * Creates the provider.
+         *
+         * @param argument any
+         */
+        public ArgumentProvider(int argument) {
+            assertEquals(0, argument);
+        }
+    }
+
+    /** A provider that is not complete. */
+    public abstract static class AbstractProvider implements ControllerProvider {}
+
+    @Test
+    void aClassThatIsNoProviderIsNamed() throws IOException {
+        String name = JarControllerSourceTest.class.getName();
+        assertRefused(
+                "a controller in Java cannot be loaded: the class " + name + ", which a file " + SERVICE
+                        + " names, does not implement " + ControllerProvider.class.getName(),
+                List.of(jar(name)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(classes = {HiddenProvider.class, OpenHiddenProvider.class, ArgumentProvider.class})
+    void aClassThatMustNotBeCreatedIsNamedWithTheRule(Class<?> provider) throws IOException {
+        assertRefused(
+                "a controller in Java cannot be loaded: the class " + provider.getName()
+                        + " is not public, or has no public constructor without parameters",
+                List.of(jar(provider.getName())));
+    }
+
+    @Test
+    void anAbstractClassIsNamed() throws IOException {
+        assertRefused(
+                "a controller in Java cannot be loaded: the class " + AbstractProvider.class.getName() + " is abstract",
+                List.of(jar(AbstractProvider.class.getName())));
     }
 
     @Test
