@@ -50,6 +50,9 @@ public enum ControllerProblem implements Message.Template {
     /** A jar whose controllers cannot be found. */
     NO_SERVICE("the jar {0} has no controller, because it has no file {1}, which contains the full name of the"
             + " controller''s class"),
+    /** A jar whose file for controllers names none. */
+    NO_NAMED_CLASS("the jar {0} has no controller, because its file {1} names no class of one; expected the full name"
+            + " of the controller''s class"),
     /** The hint for a misspelt name. */
     NAMES("; names of controllers are {0}"),
 

@@ -9,6 +9,7 @@ import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLConnection;
 import java.net.URLStreamHandler;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -68,14 +69,30 @@ final class JarClassLoader extends ClassLoader {
                 throw new ControllerStartException(
                         ControllerProblem.JAR_UNREADABLE.with(jar, String.valueOf(broken.getMessage())), broken);
             }
-            if (contentsOf(SERVICE).size() == named) {
+            List<Content> services = contentsOf(SERVICE);
+            if (services.size() == named) {
                 throw new ControllerStartException(ControllerProblem.NO_SERVICE.with(jar, SERVICE), null);
+            }
+            if (services.stream().skip(named).noneMatch(JarClassLoader::namesClass)) {
+                throw new ControllerStartException(ControllerProblem.NO_NAMED_CLASS.with(jar, SERVICE), null);
             }
         }
     }
 
     private List<Content> contentsOf(String name) {
         return contents.getOrDefault(name, List.of());
+    }
+
+    /** Returns whether a file of a service names a class that is not of the JDK, as the service loader reads it. */
+    private static boolean namesClass(Content service) {
+        return new String(service.bytes, StandardCharsets.UTF_8)
+                .lines()
+                .map(line -> line.replaceFirst("#.*", "").trim())
+                .anyMatch(name -> !name.isEmpty() && !isOfJdk(classFile(name)));
+    }
+
+    private static boolean isOfJdk(String file) {
+        return ClassLoader.getPlatformClassLoader().getResource(file) != null;
     }
 
     /** Reads a jar and those of its class path, unless it is among those that have been read. */
@@ -138,7 +155,7 @@ final class JarClassLoader extends ClassLoader {
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
         String file = classFile(name);
-        if (!isOwn(file) || ClassLoader.getPlatformClassLoader().getResource(file) != null) {
+        if (!isOwn(file) || isOfJdk(file)) {
             return super.loadClass(name, resolve);
         }
         synchronized (getClassLoadingLock(name)) {

@@ -30,6 +30,7 @@ class JarClassLoaderTest {
         Path jar = folder.resolve("some.jar");
         try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
             out.putNextEntry(new JarEntry("META-INF/services/" + ControllerProvider.class.getName()));
+            out.write(bytes("own.Gain"));
             for (Map.Entry<String, byte[]> file : files.entrySet()) {
                 out.putNextEntry(new JarEntry(file.getKey()));
                 out.write(file.getValue());

@@ -228,6 +228,16 @@ class JarControllerSourceTest {
                 List.of(jar(RightTurner.class.getName()), jar));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"", "\n# late.Late\n", "java.lang.String"})
+    void aJarWhoseFileNamesNoClassOfAControllerIsRefused(String file) throws IOException {
+        Path jar = jar(file);
+        assertRefused(
+                "the jar " + jar + " has no controller, because its file " + SERVICE
+                        + " names no class of one; expected the full name of the controller's class",
+                List.of(jar));
+    }
+
     @Test
     void aClassThatAJarLacksIsNamed() throws IOException {
         assertRefused(
