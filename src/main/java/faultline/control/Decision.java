@@ -57,8 +57,13 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
      * @param state the name of the controller's state
      * @param why the reason for that state, may be empty
      * @throws IllegalArgumentException if the velocity is not finite
+     * @throws NullPointerException if one of them is null; the message names it
      */
     public static Decision ofVelocity(RobotSpec robot, Velocity velocity, String state, String why) {
+        Objects.requireNonNull(robot, "the robot of the decision is null");
+        Objects.requireNonNull(velocity, "the velocity of the decision is null");
+        Objects.requireNonNull(state, "the state of the decision is null");
+        Objects.requireNonNull(why, "the why of the decision is null; it may be empty");
         Telemetry telemetry = new Telemetry(
                 ControllerState.of(state),
                 why,

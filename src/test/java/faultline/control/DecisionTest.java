@@ -3,7 +3,10 @@ package faultline.control;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -24,5 +27,23 @@ class DecisionTest {
     void aDecisionWithoutTelemetryIsRefused() {
         NullPointerException refusal = assertThrows(NullPointerException.class, () -> new Decision(0, 0, null));
         assertEquals("a decision needs telemetry", refusal.getMessage());
+    }
+
+    @Test
+    void aPartThatIsNullIsNamed() {
+        Velocity still = new Velocity(0, 0);
+        assertRefused("the robot of the decision is null", () -> Decision.ofVelocity(null, still, "WAIT", ""));
+        assertRefused(
+                "the velocity of the decision is null", () -> Decision.ofVelocity(RobotSpec.DEFAULT, null, "WAIT", ""));
+        assertRefused(
+                "the state of the decision is null", () -> Decision.ofVelocity(RobotSpec.DEFAULT, still, null, ""));
+        assertRefused(
+                "the why of the decision is null; it may be empty",
+                () -> Decision.ofVelocity(RobotSpec.DEFAULT, still, "WAIT", null));
+    }
+
+    private static void assertRefused(String sentence, Executable creation) {
+        assertEquals(
+                sentence, assertThrows(NullPointerException.class, creation).getMessage());
     }
 }

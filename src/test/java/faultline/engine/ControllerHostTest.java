@@ -63,7 +63,9 @@ class ControllerHostTest {
             submit(host);
             RunFailedException failure = assertThrows(RunFailedException.class, host::await);
             assertEquals(
-                    "the controller broke at tick 7: java.lang.NullPointerException: condition", failure.getMessage());
+                    "the controller broke at tick 7: java.lang.NullPointerException: the why of the decision is null;"
+                            + " it may be empty",
+                    failure.getMessage());
         }
     }
 
