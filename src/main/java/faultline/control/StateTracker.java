@@ -3,8 +3,8 @@ package faultline.control;
 import java.util.Objects;
 
 /**
- * Counts the state transitions of a controller that reports only the names of its states. It is closed with that
- * controller.
+ * Counts the state transitions of a controller that reports only the names of its states, and limits its texts. It is
+ * closed with that controller.
  */
 @SuppressWarnings("try") // The caller reports every exception, an interruption too.
 public final class StateTracker implements Controller, AutoCloseable {
@@ -32,7 +32,7 @@ public final class StateTracker implements Controller, AutoCloseable {
     @Override
     public Decision decide(Observation observation) {
         Decision decision = Objects.requireNonNull(delegate.decide(observation), "decide returned null");
-        Telemetry given = decision.telemetry();
+        Telemetry given = decision.telemetry().limited();
         if (last == null) {
             last = given;
         } else if (given.transitions() == 0) {
@@ -46,7 +46,7 @@ public final class StateTracker implements Controller, AutoCloseable {
                     given.edges(),
                     given.diagnosis());
         } else {
-            return decision;
+            return new Decision(decision.leftVolts(), decision.rightVolts(), given);
         }
         return new Decision(decision.leftVolts(), decision.rightVolts(), last);
     }

@@ -1,5 +1,6 @@
 package faultline.control;
 
+import faultline.io.MessageText;
 import java.util.List;
 import java.util.Objects;
 
@@ -23,6 +24,9 @@ public record Telemetry(
         WallControl wall,
         EdgeTimes edges,
         Diagnosis diagnosis) {
+
+    /** The greatest length of a text that a controller from outside gives, in {@code char} values. */
+    private static final int MAX_LENGTH = 200;
 
     /**
      * Creates the values of a tick.
@@ -103,6 +107,31 @@ public record Telemetry(
                         WallControl.NONE,
                         EdgeTimes.NONE,
                         Diagnosis.NONE);
+    }
+
+    /**
+     * {@return a text of a controller from outside, such as the name of a state, cut off if it is long} A run keeps it.
+     *
+     * @param text the text
+     */
+    public static String limited(String text) {
+        return MessageText.start(text, MAX_LENGTH);
+    }
+
+    /** Returns the same values with limited texts. */
+    Telemetry limited() {
+        String name = state.name();
+        if (Math.max(Math.max(name.length(), condition.length()), diagnosis.rung.length()) <= MAX_LENGTH) {
+            return this;
+        }
+        return new Telemetry(
+                ControllerState.of(limited(name)),
+                limited(condition),
+                sinceTick,
+                transitions,
+                wall,
+                edges,
+                new Diagnosis(limited(diagnosis.rung), diagnosis.health));
     }
 
     /**

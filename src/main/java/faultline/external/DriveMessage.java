@@ -1,7 +1,7 @@
 package faultline.external;
 
 import faultline.control.Decision;
-import faultline.io.MessageText;
+import faultline.control.Telemetry;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 
@@ -15,15 +15,13 @@ import faultline.robot.Velocity;
  */
 record DriveMessage(double leftVolts, double rightVolts, String state, String why) {
 
-    private static final int MAX_TEXT = 200;
-
     /**
      * Reads a message, which has either {@code left_v} and {@code right_v} or {@code v_m_s} and {@code omega_rad_s};
      * velocities are converted to voltages by the robot's track and motors.
      */
     static DriveMessage read(MessageReader message, RobotSpec robot) throws ProtocolException {
-        String state = MessageText.start(message.string("state", ""), MAX_TEXT);
-        String why = MessageText.start(message.string("why", ""), MAX_TEXT);
+        String state = Telemetry.limited(message.string("state", ""));
+        String why = Telemetry.limited(message.string("why", ""));
         boolean volts = message.has("left_v") || message.has("right_v");
         boolean velocities = message.has("v_m_s") || message.has("omega_rad_s");
         if (volts == velocities) {

@@ -63,6 +63,24 @@ class StateTrackerTest {
         assertEquals(1, telemetry.transitions());
     }
 
+    private static Telemetry counted(String state, String why, String rung) {
+        Telemetry.Diagnosis diagnosis = new Telemetry.Diagnosis(rung, List.of());
+        Telemetry plain = state(state);
+        return new Telemetry(plain.state(), why, 3, 7, plain.wall(), plain.edges(), diagnosis);
+    }
+
+    @Test
+    void longTextsAreCutOff() {
+        String start = "x".repeat(200);
+        decide(1, state(start + "first"));
+        assertEquals(0, decide(2, state(start + "second")).telemetry().transitions());
+        Telemetry expected = counted(start, start, start);
+        assertEquals(expected, decide(3, expected).telemetry());
+        assertEquals(expected, decide(4, counted(start + "y", start, start)).telemetry());
+        assertEquals(expected, decide(5, counted(start, start + "y", start)).telemetry());
+        assertEquals(expected, decide(6, counted(start, start, start + "y")).telemetry());
+    }
+
     @Test
     void itHasTheNameThatItIsGiven() {
         assertEquals("mine", new StateTracker(observation -> null, "mine").name());

@@ -1,6 +1,7 @@
 package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -50,6 +51,16 @@ class TelemetryTest {
         }) {
             assertTrue(Double.isNaN(none));
         }
+    }
+
+    @Test
+    void aTextOfAControllerFromOutsideIsCutOff() {
+        assertEquals("FOLLOW", Telemetry.limited("FOLLOW"));
+        assertEquals("x".repeat(200), Telemetry.limited("x".repeat(201)));
+        Telemetry whole = Telemetry.ofState(ControllerState.of("x".repeat(200)));
+        assertSame(whole, whole.limited());
+        assertEquals(
+                whole, Telemetry.ofState(ControllerState.of("x".repeat(201))).limited());
     }
 
     @Test
