@@ -9,6 +9,9 @@ import java.util.List;
 /** The output of a command: results and error messages. */
 record CommandOutput(PrintStream out, PrintStream err) {
 
+    /** The standard error of the process; that of controllers in Java replaces {@link System#err} later. */
+    static final PrintStream STANDARD_ERROR = System.err;
+
     /** Prints a line; control characters in it, which may come from the name of a file, are replaced by blanks. */
     void println(String line) {
         out.println(MessageText.oneLine(line));

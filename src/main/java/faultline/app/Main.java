@@ -1,6 +1,7 @@
 package faultline.app;
 
 import java.io.PrintStream;
+import java.nio.charset.Charset;
 import java.util.List;
 import java.util.Set;
 
@@ -12,11 +13,14 @@ public final class Main {
     private Main() {}
 
     /**
-     * Returns the standard output of controllers in Java. It goes to standard error, because standard output carries
-     * the results or the protocol, and stays open if a controller closes it.
+     * Returns the standard output, or standard error, of controllers in Java. Both go to standard error, because
+     * standard output carries the results or the protocol. A controller that closes or locks them does not keep the
+     * program from writing its messages.
      */
     private static PrintStream printsOfControllers(PrintStream err) {
-        return new PrintStream(err, true) {
+        String encoding = System.getProperty("stderr.encoding", System.getProperty("sun.stderr.encoding"));
+        Charset charset = encoding == null ? Charset.defaultCharset() : Charset.forName(encoding);
+        return new PrintStream(err, true, charset) {
             @Override
             public void close() {
                 flush();
@@ -42,8 +46,9 @@ public final class Main {
         if (paintsWithoutWindow(args)) {
             System.setProperty("java.awt.headless", "true");
         }
-        CommandOutput output = new CommandOutput(System.out, System.err);
-        System.setOut(printsOfControllers(System.err));
+        CommandOutput output = new CommandOutput(System.out, CommandOutput.STANDARD_ERROR);
+        System.setOut(printsOfControllers(output.err()));
+        System.setErr(printsOfControllers(output.err()));
         int code = new CommandLine(output).run(args);
         if (code != ExitCode.SUCCESS || !CommandLine.mayOpenWindow(args)) {
             System.exit(code);

@@ -35,7 +35,7 @@ final class TerminalProgress implements AutoCloseable {
 
     /** Returns a bar for standard error, which shows nothing if that is not a terminal. */
     static TerminalProgress on(PrintStream err) {
-        return new TerminalProgress(err, err == System.err && isTerminal(), System::nanoTime);
+        return new TerminalProgress(err, err == CommandOutput.STANDARD_ERROR && isTerminal(), System::nanoTime);
     }
 
     /** Looks at where standard error goes; where the system does not say, at whether there is a console. */

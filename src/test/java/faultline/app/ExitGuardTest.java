@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
@@ -58,7 +59,10 @@ class ExitGuardTest {
                 new Thread(LockSupport::park).start();
             }
             return observation -> {
-                if (settings.containsKey("stays")) {
+                if (settings.containsKey("err")) {
+                    spoilStandardError(settings.get("err"));
+                    throw new IllegalStateException("spoilt");
+                } else if (settings.containsKey("stays")) {
                     System.out.println("tick " + observation.tick());
                     System.out.close();
                 } else if (observation.tick() == 7 && settings.isEmpty()) {
@@ -66,6 +70,32 @@ class ExitGuardTest {
                 }
                 return Decision.ofVelocity(observation.robot(), new Velocity(0, 0), "WAIT", "");
             };
+        }
+    }
+
+    /** Closes standard error, or locks it until the process ends. */
+    private static void spoilStandardError(String how) {
+        if (how.equals("closed")) {
+            System.err.close();
+            return;
+        }
+        CountDownLatch locked = new CountDownLatch(1);
+        Thread owner = new Thread(() -> {
+            synchronized (System.err) {
+                locked.countDown();
+                await(new CountDownLatch(1));
+            }
+        });
+        owner.setDaemon(true);
+        owner.start();
+        await(locked);
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
         }
     }
 
@@ -167,6 +197,26 @@ class ExitGuardTest {
         String result = JavaProcess.output(process);
         assertTrue(JsonParser.parse(result.strip()) instanceof Map, result);
         assertTrue(Files.readString(folder.resolve("errors")).startsWith("tick 0" + System.lineSeparator()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"closed", "locked"})
+    void aControllerDoesNotKeepTheProgramFromWritingItsMessage(String how) throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("spoilt.xml"),
+                Files.readString(YARD)
+                        .replace(
+                                "<expect",
+                                "<controller type='quitter'><setting name='err' value='" + how
+                                        + "'/></controller><expect"));
+        Process process = start("faultline.app.Main", "run", file.toString());
+        try {
+            assertTrue(process.waitFor(60, TimeUnit.SECONDS), "it ends");
+            String message = JavaProcess.output(process);
+            assertTrue(message.contains(": java.lang.IllegalStateException: spoilt"), message);
+        } finally {
+            process.destroyForcibly();
+        }
     }
 
     /** Ends the process by itself, after or without a guard, or by another thread. */
