@@ -16,6 +16,9 @@ public final class OutlineSimplifier {
      */
     private static final int MAX_DEPTH = 501;
 
+    /** A post or a straight wall would lose half of its area with one of its corners. */
+    private static final int RECTANGLE_CORNERS = 4;
+
     /** The corners between two that are kept, and the number of divisions that made this range. */
     private record Range(int from, int to, int depth) {}
 
@@ -26,14 +29,19 @@ public final class OutlineSimplifier {
      *
      * @param ring the outline
      * @param tolerance the bound, in cells, not negative
-     * @return some of its corners, in their order; the ring itself if fewer than three would be left
+     * @return some of its corners, in their order: at least three, which are not all on a line; a rectangle stays
      */
     public static GridRing simplify(GridRing ring, double tolerance) {
+        if (ring.size() <= RECTANGLE_CORNERS) {
+            return ring;
+        }
+        int opposite = farthestFromFirst(ring);
         BitSet kept = new BitSet(ring.size());
         kept.set(0);
+        kept.set(opposite);
         Deque<Range> open = new ArrayDeque<>();
-        // The chord of the whole ring is its first corner, so that it is divided at the corner farthest from that.
-        open.push(new Range(0, ring.size(), 0));
+        open.push(new Range(0, opposite, 1));
+        open.push(new Range(opposite, ring.size(), 1));
         while (!open.isEmpty()) {
             Range range = open.pop();
             int farthest = farthestFromChord(ring, range, tolerance);
@@ -44,7 +52,45 @@ public final class OutlineSimplifier {
                 open.push(new Range(middle, range.to(), range.depth() + 1));
             }
         }
-        return kept.cardinality() < 3 ? ring : ring.select(kept.stream().toArray());
+        // Corners on a line would enclose nothing.
+        if (kept.stream().allMatch(corner -> areaWithFirst(ring, opposite, corner) == 0)) {
+            kept.set(farthestFromLine(ring, opposite));
+        }
+        return ring.select(kept.stream().toArray());
+    }
+
+    private static int farthestFromFirst(GridRing ring) {
+        int farthest = 0;
+        double largest = 0;
+        for (int i = 1; i < ring.size(); i++) {
+            double x = ring.column(i) - ring.column(0);
+            double y = ring.row(i) - ring.row(0);
+            if (x * x + y * y > largest) {
+                largest = x * x + y * y;
+                farthest = i;
+            }
+        }
+        return farthest;
+    }
+
+    /** Returns the corner that is farthest from the line through the first one and another. */
+    private static int farthestFromLine(GridRing ring, int other) {
+        int farthest = 0;
+        for (int i = 1; i < ring.size(); i++) {
+            if (areaWithFirst(ring, other, i) > areaWithFirst(ring, other, farthest)) {
+                farthest = i;
+            }
+        }
+        return farthest;
+    }
+
+    /** Returns twice the area of the triangle that two corners form with the first one. */
+    private static long areaWithFirst(GridRing ring, int a, int b) {
+        long ax = ring.column(a) - ring.column(0);
+        long ay = ring.row(a) - ring.row(0);
+        long bx = ring.column(b) - ring.column(0);
+        long by = ring.row(b) - ring.row(0);
+        return Math.abs(ax * by - ay * bx);
     }
 
     /**
