@@ -29,6 +29,7 @@ import os
 import shlex
 import subprocess
 import sys
+import weakref
 
 PROTOCOL = 1
 
@@ -174,6 +175,15 @@ def default_command():
     return [word.strip('"') for word in words]
 
 
+def _end_unclosed(process):
+    """Ends a simulator that nobody can close any more, by the end of its input."""
+    with contextlib.suppress(OSError):
+        process.stdin.close()
+    process.stdout.close()
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(timeout=5)
+
+
 class Simulator:
     """A simulator that is stepped from Python, over ``faultline serve``."""
 
@@ -185,6 +195,7 @@ class Simulator:
             raise FileNotFoundError(
                 "there is no program %r; give the command that starts the simulator, or set FAULTLINE" % command[0]
             ) from None
+        weakref.finalize(self, _end_unclosed, self._process).atexit = False
         try:
             self.hello = _read_hello(self._receive())
             self._robot = _Robot(self.hello)

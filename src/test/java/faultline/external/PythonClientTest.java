@@ -373,6 +373,25 @@ class PythonClientTest {
         assertEquals(0, output.code());
     }
 
+    @Test
+    void aSimulatorThatIsNotClosedEndsWithItsObject() throws Exception {
+        Output output = python(
+                "-X",
+                "dev",
+                "-c",
+                """
+                import faultline, gc
+                simulator = faultline.Simulator("scenarios/office.xml")
+                process = simulator._process
+                simulator.reset()
+                print(process.poll())
+                del simulator
+                gc.collect()
+                print(process.poll())
+                """);
+        assertEquals("None\n0\n", output.text());
+    }
+
     /** The packages that the environment needs are replaced by empty ones. */
     @Test
     void theGymnasiumEnvironmentRefusesARobotWithoutALeftSensor(@TempDir Path folder) throws Exception {
