@@ -38,6 +38,10 @@ class _NoAnswer:
     def __repr__(self):
         return "NO_ANSWER"
 
+    def __reduce__(self):
+        # Copies and pickles name this object, so that "is NO_ANSWER" holds for them.
+        return "NO_ANSWER"
+
 
 NO_ANSWER = _NoAnswer()
 

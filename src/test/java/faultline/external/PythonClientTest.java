@@ -392,6 +392,20 @@ class PythonClientTest {
         assertEquals("None\n0\n", output.text());
     }
 
+    @Test
+    void copiesOfNoAnswerAreTheSameObject() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import copy, faultline, pickle
+                sight = faultline.Sight(left=faultline.NO_ANSWER)
+                print(copy.copy(sight["left"]) is faultline.NO_ANSWER)
+                print(copy.deepcopy(sight)["left"] is faultline.NO_ANSWER)
+                print(pickle.loads(pickle.dumps(sight["left"])) is faultline.NO_ANSWER)
+                """);
+        assertEquals("True\nTrue\nTrue\n", output.text());
+    }
+
     /** The packages that the environment needs are replaced by empty ones. */
     @Test
     void theGymnasiumEnvironmentRefusesARobotWithoutALeftSensor(@TempDir Path folder) throws Exception {
