@@ -173,10 +173,13 @@ def drive_with(decide, name="python", begin=None):
 def default_command():
     """Returns the command that starts the simulator: the environment variable FAULTLINE, or ``faultline``.
 
-    A path with blanks stands in double quotes.
+    An empty variable is the same as none. A path with blanks stands in double quotes.
     """
-    words = shlex.split(os.environ.get("FAULTLINE", "faultline"), posix=os.name == "posix")
-    return [word.strip('"') for word in words]
+    return _split(os.environ.get("FAULTLINE", "")) or ["faultline"]
+
+
+def _split(command):
+    return [word.strip('"') for word in shlex.split(command, posix=os.name == "posix")]
 
 
 def _end_unclosed(process):
@@ -189,10 +192,14 @@ def _end_unclosed(process):
 
 
 class Simulator:
-    """A simulator that is stepped from Python, over ``faultline serve``."""
+    """A simulator that is stepped from Python, over ``faultline serve``.
+
+    ``command`` starts the simulator: a list of words, or a text that is split as the variable FAULTLINE is.
+    """
 
     def __init__(self, scenario, truth=False, command=None):
-        command = list(command or default_command()) + ["serve", str(scenario)] + (["--truth"] if truth else [])
+        words = _split(command) if isinstance(command, str) else list(command or ())
+        command = (words or default_command()) + ["serve", str(scenario)] + (["--truth"] if truth else [])
         try:
             self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         except FileNotFoundError:

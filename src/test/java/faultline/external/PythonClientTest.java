@@ -501,6 +501,37 @@ class PythonClientTest {
                 output.text().strip());
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  "})
+    void anEmptyCommandInTheEnvironmentIsNone(String empty) throws Exception {
+        Output output = python(
+                "-c",
+                "import faultline, os, sys; os.environ['FAULTLINE'] = sys.argv[1]; print(faultline.default_command())",
+                empty);
+        assertEquals("['faultline']\n", output.text());
+    }
+
+    @Test
+    void aCommandMayBeAText() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import faultline, os
+                with faultline.Simulator("scenarios/office.xml", command=os.environ["FAULTLINE"]) as simulator:
+                    print(simulator.reset().tick)
+                try:
+                    faultline.Simulator("scenarios/office.xml", command='"no such" program')
+                except FileNotFoundError as mistake:
+                    print(mistake)
+                """);
+        assertEquals(
+                """
+                0
+                there is no program 'no such'; give the command that starts the simulator, or set FAULTLINE
+                """,
+                output.text());
+    }
+
     private static Output python(String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of("python3"));
         command.addAll(List.of(arguments));
