@@ -40,6 +40,8 @@ class WallFollowingEnv(gymnasium.Env):
         return self._observation(sight), {"seed": run_seed}
 
     def step(self, action):
+        if self._pose is None:
+            raise RuntimeError("there is no episode yet; reset begins one")
         left, right = (float(share) * self._supply for share in numpy.clip(action, -1.0, 1.0))
         sight = self._simulator.step(faultline.volts(left, right), self._ticks)
         collided = bool(sight.truth["collided"])

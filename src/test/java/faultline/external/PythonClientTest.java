@@ -406,6 +406,35 @@ class PythonClientTest {
         assertEquals("True\nTrue\nTrue\n", output.text());
     }
 
+    @Test
+    void theGymnasiumEnvironmentNeedsAResetFirstAndEndsWithItsObject() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import sys, types
+                from types import SimpleNamespace
+                for name in ("gymnasium", "numpy"):
+                    sys.modules[name] = types.ModuleType(name)
+                sys.modules["gymnasium"].Env = object
+                sys.modules["gymnasium"].register = lambda *name, **entry: None
+                sys.modules["gymnasium"].spaces = SimpleNamespace(Box=lambda *bounds: None)
+                sys.modules["numpy"].float32 = float
+                sys.modules["numpy"].clip = lambda action, least, most: action
+                import faultline_gym, gc
+                environment = faultline_gym.WallFollowingEnv()
+                process = environment._simulator._process
+                try:
+                    environment.step([0.0, 0.0])
+                except RuntimeError as e:
+                    print(e)
+                print(environment._simulator.reset().tick)
+                del environment
+                gc.collect()
+                print(process.poll())
+                """);
+        assertEquals("there is no episode yet; reset begins one\n0\n0\n", output.text());
+    }
+
     /** The packages that the environment needs are replaced by empty ones. */
     @Test
     void theGymnasiumEnvironmentRefusesARobotWithoutALeftSensor(@TempDir Path folder) throws Exception {
