@@ -101,6 +101,7 @@ final class CompareCommand {
         Scenario loaded = Scenario.load(file);
         requireSeeds(loaded.setup().seed(), seeds);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
+        FormatNote.of(page, "an HTML page", List.of("html", "htm")).ifPresent(output::printError);
         int code = compare(file, scenario, choices, seeds, options, files);
         if (open && code == ExitCode.SUCCESS) {
             openWindow(file, loaded, choices, options);

@@ -30,6 +30,7 @@ final class RunCommand {
         options.checkController();
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, !options.controller().isScenarioDefault());
+        options.formatNotes().forEach(output::printError);
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result =
                     keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs), output::printError);

@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 
 /**
  * The options of {@code run}.
@@ -159,6 +160,15 @@ record RunOptions(
                         value -> value.compareTo(MIN_PACE) >= 0 && value.compareTo(MAX_PACE) <= 0,
                         "a multiple of real time from " + MIN_PACE + " to " + MAX_PACE)
                 .orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /** Returns notes on outputs whose names are those of other formats. */
+    List<String> formatNotes() {
+        Optional<String> image = Optional.ofNullable(outputs.get(Output.IMAGE))
+                .flatMap(name -> FormatNote.of(name, "a PNG image", List.of("png", "svg")));
+        Optional<String> film = Optional.ofNullable(outputs.get(Output.FILM))
+                .flatMap(name -> FormatNote.of(name, "a GIF film", List.of("gif")));
+        return Stream.of(image, film).flatMap(Optional::stream).toList();
     }
 
     private void checkFilesDiffer() throws UsageException {
