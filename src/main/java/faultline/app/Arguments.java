@@ -178,7 +178,8 @@ final class Arguments {
 
     /** Throws an exception if an output would replace an input or another output. */
     static void requireDistinct(List<Path> inputs, List<Path> outputs) throws UsageException {
-        Optional<Path> conflict = LinkResolver.findConflict(inputs, outputs);
+        Optional<Path> conflict =
+                LinkResolver.findConflict(inputs, outputs).or(() -> LinkResolver.findRepeatedPipe(outputs));
         if (conflict.isPresent()) {
             throw new UsageException(
                     "the output " + MessageText.quoted(conflict.get().toString())

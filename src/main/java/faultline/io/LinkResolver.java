@@ -24,6 +24,11 @@ public final class LinkResolver {
 
     private static final int MAX_LINKS = 40;
 
+    /** The bits of a mode that are the type of the file, and their value for a pipe (POSIX, sys/stat.h of Linux). */
+    private static final int FILE_TYPE = 0xF000;
+
+    private static final int PIPE = 0x1000;
+
     private LinkResolver() {}
 
     /**
@@ -47,6 +52,31 @@ public final class LinkResolver {
             }
         }
         return Optional.empty();
+    }
+
+    /**
+     * {@return the first output that is the same named pipe as an earlier one} A program that reads the pipe would get
+     * both in one, and may end between them. A pipe that the process has inherited, such as {@code /dev/stdout}, stays
+     * open, and is not meant.
+     *
+     * @param outputs files that are to be written, which need not exist
+     */
+    public static Optional<Path> findRepeatedPipe(Collection<Path> outputs) {
+        Set<Object> seen = new HashSet<>();
+        return outputs.stream()
+                .filter(output -> isNamedPipe(output) && !seen.add(identity(output)))
+                .findFirst();
+    }
+
+    private static boolean isNamedPipe(Path file) {
+        try {
+            return isDevice(file)
+                    && file.getFileSystem().supportedFileAttributeViews().contains("unix")
+                    && ((int) Files.getAttribute(file, "unix:mode") & FILE_TYPE) == PIPE
+                    && !isInherited(file);
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     /** Returns an object that is equal for two paths if they name the same file. */

@@ -25,6 +25,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -72,6 +75,17 @@ class OutputFilesTest {
         Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("new.csv"));
         String message = refusal("run", SCENARIO, "--trace", folder.resolve("new.csv"), "--journal", link);
         assertTrue(message.contains("is an input or another output"), message);
+    }
+
+    /** The run would wait for a program that reads the pipe twice. */
+    @Test
+    @Timeout(60)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there are no named pipes")
+    void twoOutputsThatAreOnePipeAreRefused() throws Exception {
+        Path pipe = folder.resolve("pipe");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        String message = refusal("run", SCENARIO, "--until", "1", "--trace", pipe, "--journal", pipe);
+        assertTrue(message.contains("pipe\" is an input or another output; expected another file"), message);
     }
 
     @ParameterizedTest

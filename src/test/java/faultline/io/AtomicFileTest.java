@@ -321,6 +321,25 @@ class AtomicFileTest {
                 LinkResolver.findConflict(List.of(), List.of(folder.resolve(one), folder.resolve(other))));
     }
 
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there are no named pipes")
+    void aNamedPipeIsOneOutputOnly() throws Exception {
+        Path pipe = folder.resolve("pipe");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        Path link = Files.createSymbolicLink(folder.resolve("pipe-link"), pipe);
+        assertEquals(Optional.of(link), LinkResolver.findRepeatedPipe(List.of(pipe, folder.resolve("a"), link)));
+        assertEquals(Optional.empty(), LinkResolver.findRepeatedPipe(List.of(pipe, folder.resolve("a"))));
+        assertEquals(Optional.empty(), LinkResolver.findConflict(List.of(pipe), List.of(pipe)));
+    }
+
+    /** {@code /dev/null} is no pipe, and the standard output, which may be one, is inherited. */
+    @ParameterizedTest
+    @ValueSource(strings = {"/dev/null", "/dev/stdout", "/dev/stderr", "new.txt"})
+    void anotherOutputIsNoRepeatedPipe(String name) {
+        Path file = folder.resolve(name);
+        assertEquals(Optional.empty(), LinkResolver.findRepeatedPipe(List.of(file, file)));
+    }
+
     private void prepareLinks() throws IOException {
         Files.createDirectory(folder.resolve("sub"));
         Path file = Files.writeString(folder.resolve("a.txt"), "old");
