@@ -167,9 +167,14 @@ final class MapImageReader {
     }
 
     static void requireSize(Path file, long width, long height) throws FloorPlanException {
-        if (width < 1 || height < 1 || width > MapImage.MAX_PIXELS || width * height > MapImage.MAX_PIXELS) {
+        if (!isPossible(width, height)) {
             throw new FloorPlanException(file, FloorPlanProblem.IMAGE_SIZE.with(width, height, MapImage.MAX_PIXELS));
         }
+    }
+
+    /** Returns whether an image may have a size, pixels. */
+    static boolean isPossible(long width, long height) {
+        return width >= 1 && height >= 1 && width <= MapImage.MAX_PIXELS && width * height <= MapImage.MAX_PIXELS;
     }
 
     private static MapImage toMapImage(Path file, ImageReader reader) throws IOException {

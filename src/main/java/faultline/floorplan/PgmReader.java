@@ -13,6 +13,7 @@ final class PgmReader {
 
     private static final int MAX_SAMPLE = 65535;
     private static final int MAX_WORD = 100;
+    private static final int MAX_DIGITS = 30;
 
     private final Path file;
     private InputStream in;
@@ -21,6 +22,9 @@ final class PgmReader {
 
     /** The next byte, or -1 at the end of the file. */
     private int next;
+
+    /** The digits of the last number, which may be too large for an {@code int}. */
+    private final StringBuilder digits = new StringBuilder();
 
     PgmReader(Path file, InputStream in) throws IOException {
         this.file = file;
@@ -36,11 +40,16 @@ final class PgmReader {
             throw new FloorPlanException(file, FloorPlanProblem.PORTABLE_FORMAT.with(format));
         }
         int width = readNumber(FloorPlanProblem.WIDTH::with);
+        String widthText = digits();
         int height = readNumber(FloorPlanProblem.HEIGHT::with);
+        String heightText = digits();
         int max = readNumber(FloorPlanProblem.MAX_VALUE::with);
-        MapImageReader.requireSize(file, width, height);
+        if (!MapImageReader.isPossible(width, height)) {
+            throw new FloorPlanException(
+                    file, FloorPlanProblem.IMAGE_SIZE.with(widthText, heightText, MapImage.MAX_PIXELS));
+        }
         if (max < 1 || max > MAX_SAMPLE) {
-            throw new FloorPlanException(file, FloorPlanProblem.MAX_SAMPLE.with(max, MAX_SAMPLE));
+            throw new FloorPlanException(file, FloorPlanProblem.MAX_SAMPLE.with(digits(), MAX_SAMPLE));
         }
         MapImage image = new MapImage(width, height, max);
         if (format == '2') {
@@ -59,7 +68,11 @@ final class PgmReader {
     private void readPlain(MapImage image, int max) throws IOException {
         for (int i = 0; i < image.width() * image.height(); i++) {
             int number = i + 1;
-            set(image, i, readNumber(() -> FloorPlanProblem.PIXEL.with(number)), max);
+            int value = readNumber(() -> FloorPlanProblem.PIXEL.with(number));
+            if (value > max) {
+                throw new FloorPlanException(file, FloorPlanProblem.PIXEL_VALUE.with(number, digits(), max));
+            }
+            image.set(i, value, false);
         }
     }
 
@@ -74,7 +87,10 @@ final class PgmReader {
             if (bytesEach == 2) {
                 value = value << 8 | nextRaw(start, count, bytesEach);
             }
-            set(image, i, value, max);
+            if (value > max) {
+                throw new FloorPlanException(file, FloorPlanProblem.PIXEL_VALUE.with(i + 1, value, max));
+            }
+            image.set(i, value, false);
         }
     }
 
@@ -104,18 +120,15 @@ final class PgmReader {
         return value;
     }
 
-    private void set(MapImage image, int index, int value, int max) throws FloorPlanException {
-        if (value > max) {
-            throw new FloorPlanException(file, FloorPlanProblem.PIXEL_VALUE.with(index + 1, value, max));
-        }
-        image.set(index, value, false);
-    }
-
     private int readNumber(Supplier<Message> name) throws IOException {
         skipBlanksAndComments();
         long begin = position;
         long number = 0;
+        digits.setLength(0);
         while (next >= '0' && next <= '9') {
+            if (digits.length() <= MAX_DIGITS) {
+                digits.append((char) next);
+            }
             number = Math.min(Integer.MAX_VALUE, number * 10 + next - '0');
             advance();
         }
@@ -126,6 +139,11 @@ final class PgmReader {
             throw new FloorPlanException(file, FloorPlanProblem.MISSING_NUMBER.with(name.get(), begin));
         }
         return (int) number;
+    }
+
+    /** Returns the last number as the file has it, shortened if it is very long. */
+    private String digits() {
+        return digits.length() > MAX_DIGITS ? digits.substring(0, MAX_DIGITS) + "..." : digits.toString();
     }
 
     /** Returns the bytes before the next blank as text, shortened if there are many. */

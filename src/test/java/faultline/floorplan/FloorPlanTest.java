@@ -428,6 +428,11 @@ class FloorPlanTest {
             P5 2 9 255               | the image ends after 0 bytes of pixels, 18 are needed
             P5 2 9 65535 0           | the image ends after 1 bytes of pixels, 36 are needed
             P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
+            P5 99999999999 99999999999 255 | the image has 99999999999 x 99999999999 pixels; expected 1 to 64000000
+            P5 0 1234567890123456789012345678901 9 | the image has 0 x 123456789012345678901234567890... pixels; \
+            expected 1 to 64000000
+            P5 2 1 99999999999 0     | the maximum value is 99999999999; expected 1 to 65535
+            P2 2 1 255 0 99999999999 | pixel 2 is 99999999999; expected 0 to 255
             P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
             P2 2 1 0 0 0             | the maximum value is 0; expected 1 to 65535
             P2 2 1 65536 0 0         | the maximum value is 65536; expected 1 to 65535
