@@ -39,23 +39,25 @@ final class ImportCommand {
         Path map = parsed.singleFile("import", "map or image");
         Path target = parsed.outputOption("--out")
                 .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
-        FloorPlan plan = read(map, parsed, options(parsed));
+        FloorPlan.Options options = options(parsed);
+        FloorPlan plan = read(map, parsed, options);
         Arguments.requireDistinct(List.of(map, plan.description().image()), List.of(target));
         String name = FloorPlanScenario.nameFor(map);
         Optional<String> start = parsed.value("--start");
         Scenario scenario = start.isPresent()
                 ? FloorPlanScenario.create(name, plan, start(start.get()))
-                : FloorPlanScenario.create(name, plan, helpfulOptions(map));
+                : FloorPlanScenario.create(name, plan, helpfulOptions(map, options));
         scenario.save(target);
         print(target, plan, scenario);
         return ExitCode.SUCCESS;
     }
 
     /** Returns what may help if the robot has no room in the map. */
-    private static String helpfulOptions(Path map) {
-        return FloorPlan.isYaml(map)
-                ? "resolution, occupied_thresh and negate in the map file, --unknown or --start"
-                : "--resolution, --threshold, --negate, --unknown or --start";
+    private static String helpfulOptions(Path map, FloorPlan.Options options) {
+        String pixels = FloorPlan.isYaml(map)
+                ? "resolution, occupied_thresh and negate in the map file"
+                : "--resolution, --threshold, --negate";
+        return pixels + ", --unknown" + (options.smoothing() > 0 ? ", --smooth" : "") + " or --start";
     }
 
     private FloorPlan read(Path map, Arguments parsed, FloorPlan.Options options) throws UsageException, IOException {

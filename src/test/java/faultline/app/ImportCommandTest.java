@@ -169,6 +169,11 @@ class ImportCommandTest {
         assertEquals(
                 problem + "resolution, occupied_thresh and negate in the map file, --unknown or --start\n",
                 err.toString(StandardCharsets.UTF_8));
+        err.reset();
+        assertEquals(2, commandLine().run("import", map.toString(), "--out", folder + "/x.xml", "--smooth", "30"));
+        assertEquals(
+                problem + "resolution, occupied_thresh and negate in the map file, --unknown, --smooth or --start\n",
+                err.toString(StandardCharsets.UTF_8));
     }
 
     @Test

@@ -59,7 +59,8 @@ public final class FloorPlanFiles {
             return new ImportedPlan(plan, FloorPlanScenario.create(name, plan, start), notes, "");
         }
         try {
-            return new ImportedPlan(plan, FloorPlanScenario.create(name, plan, helpfulSettings(file)), notes, "");
+            return new ImportedPlan(
+                    plan, FloorPlanScenario.create(name, plan, helpfulSettings(file, options)), notes, "");
         } catch (FloorPlanException noRoom) {
             Scenario withoutRoom = FloorPlanScenario.create(name, plan, new Pose(0, 0, 0));
             return new ImportedPlan(plan, withoutRoom, notes, ErrorMessages.describeAsSentence(noRoom, file));
@@ -67,16 +68,20 @@ public final class FloorPlanFiles {
     }
 
     /** Returns what may help if the robot has no room in the plan. */
-    private static String helpfulSettings(Path file) {
+    private static String helpfulSettings(Path file, FloorPlan.Options options) {
         String start = Messages.get("import.findsStart");
+        String outlines = Messages.get("import.unknown");
+        if (options.smoothing() > 0) {
+            outlines = Messages.get("import.settings.outlines", outlines, Messages.get("import.smoothing"));
+        }
         return FloorPlan.isYaml(file)
-                ? Messages.get("import.settings.map", start, Messages.get("import.unknown"))
+                ? Messages.get("import.settings.map", start, outlines)
                 : Messages.get(
                         "import.settings.image",
                         Messages.get("import.resolution"),
                         Messages.get("import.negate"),
                         Messages.get("import.threshold"),
                         start,
-                        Messages.get("import.unknown"));
+                        outlines);
     }
 }
