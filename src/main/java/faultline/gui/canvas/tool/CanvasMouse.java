@@ -50,12 +50,20 @@ public final class CanvasMouse extends MouseAdapter {
     private SnapSettings snap = SnapSettings.NONE;
     /** Whether keys have moved or set the point of the tool since the mouse was moved. */
     private boolean keyed;
+    /** The point of the world under the mouse; null while the mouse is elsewhere. */
+    private Vector2 mousePoint;
 
     public CanvasMouse(Viewport viewport, GesturePicker gesturePicker, CanvasListeners listeners) {
         this.viewport = viewport;
         this.gesturePicker = gesturePicker;
         this.listeners = listeners;
-        tool.addListener(changed -> toolPoint = null);
+        tool.addListener(changed -> {
+            toolPoint = null;
+            if (changed.isEmpty() && keyed) {
+                keyed = false;
+                setMousePoint(mousePoint);
+            }
+        });
     }
 
     /** Adds the listeners to the canvas. */
@@ -74,7 +82,7 @@ public final class CanvasMouse extends MouseAdapter {
         });
     }
 
-    /** Returns the point of the world under the mouse. */
+    /** Returns the point of the world under the mouse, or the point of the active tool that keys have set. */
     public ObservableValue<Optional<Vector2>> cursorPoint() {
         return cursorPoint;
     }
@@ -199,7 +207,7 @@ public final class CanvasMouse extends MouseAdapter {
             toolPoint = snappedPoint(event);
             tool.get().ifPresent(t -> t.move(toolPoint, true));
         }
-        cursorPoint.set(Optional.of(toWorld(screenPoint(event))));
+        setMousePoint(toWorld(screenPoint(event)));
         event.getComponent().repaint();
     }
 
@@ -252,7 +260,7 @@ public final class CanvasMouse extends MouseAdapter {
         completeDrag();
         keyed = false;
         Vector2 at = screenPoint(event);
-        cursorPoint.set(Optional.of(toWorld(at)));
+        setMousePoint(toWorld(at));
         tool.get().ifPresent(t -> {
             t.move(snappedPoint(event), false);
             event.getComponent().repaint();
@@ -263,7 +271,12 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseExited(MouseEvent event) {
-        cursorPoint.set(Optional.empty());
+        setMousePoint(null);
+    }
+
+    private void setMousePoint(Vector2 pointOrNull) {
+        mousePoint = pointOrNull;
+        cursorPoint.set(Optional.ofNullable(pointOrNull));
     }
 
     @Override
@@ -304,6 +317,9 @@ public final class CanvasMouse extends MouseAdapter {
 
     /** Uses the active tool at its point, as a click does. */
     void clickKeyPoint() {
+        if (tool.get().isEmpty()) {
+            return;
+        }
         keyed = true;
         Vector2 at = keyPoint();
         cursorPoint.set(Optional.of(at));

@@ -112,9 +112,10 @@ public final class CanvasTools {
         canvas.repaint();
     }
 
+    /** Activates a tool in place of the active one, whose point it takes over if keys have set it. */
     private void activate(Tool tool) {
         assert EventQueue.isDispatchThread();
-        mouse.cancel();
+        mouse.cancelGesture();
         mouse.tool().set(Optional.of(tool));
         canvas.requestFocusInWindow();
         canvas.repaint();

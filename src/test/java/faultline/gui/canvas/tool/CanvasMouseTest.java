@@ -33,6 +33,7 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
@@ -142,6 +143,43 @@ class CanvasMouseTest {
                     changed.stream().filter(at -> at.distanceTo(place) > 10).toList());
             runOnEdt(canvas.tools()::endTool);
         }
+    }
+
+    @Test
+    void thePointThatKeysHaveSetEndsWithTheTool() {
+        List<Optional<Vector2>> cursor = new ArrayList<>();
+        runOnEdt(() -> {
+            canvas.addCursorListener(cursor::add);
+            press("INSERT");
+            assertEquals(List.of(), cursor, "there is no tool");
+            canvas.tools().drawWall();
+            press("shift RIGHT");
+        });
+        Vector2 moved = lastOf(cursor).orElseThrow();
+        runOnEdt(canvas.tools()::drawPolygon);
+        assertEquals(moved, lastOf(cursor).orElseThrow(), "another tool takes over the point");
+        runOnEdt(canvas.tools()::startScenario);
+        assertEquals(Optional.empty(), lastOf(cursor));
+        assertSketchedAt(new Vector2(300, 220));
+    }
+
+    @Test
+    void thePointOfTheMouseIsShownAgainAfterAToolWithKeys() {
+        List<Optional<Vector2>> cursor = new ArrayList<>();
+        mouse(MouseEvent.MOUSE_MOVED, new Vector2(410, 130), MouseEvent.NOBUTTON);
+        runOnEdt(() -> {
+            canvas.addCursorListener(cursor::add);
+            canvas.tools().placeShape(ShapePreset.CIRCLE);
+            press("RIGHT");
+            press("INSERT");
+        });
+        assertEquals(1, sent.size());
+        Vector2 shown = screen(lastOf(cursor).orElseThrow());
+        assertEquals(0, shown.distanceTo(new Vector2(410, 130)), 1e-9);
+    }
+
+    private static <T> T lastOf(List<T> values) {
+        return values.get(values.size() - 1);
     }
 
     private BufferedImage picture() {
