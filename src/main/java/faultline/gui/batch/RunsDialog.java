@@ -10,6 +10,7 @@ import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Window;
@@ -79,8 +80,15 @@ abstract class RunsDialog extends JDialog {
      * above the dialog is closed at the same time.
      */
     final void disposeAndFocusOwner() {
+        Component focused = lastFocused(getOwner());
         dispose();
-        getOwner().requestFocus();
+        focused.requestFocus();
+    }
+
+    /** Returns the component of a window that had the focus last, or the window, in which keys have no effect. */
+    private static Component lastFocused(Window window) {
+        Component last = window.getMostRecentFocusOwner();
+        return last != null && last.isShowing() && last.isEnabled() ? last : window;
     }
 
     final BatchActions actions() {
@@ -127,7 +135,7 @@ abstract class RunsDialog extends JDialog {
     final void bringToFront() {
         setVisible(true);
         toFront();
-        requestFocus();
+        lastFocused(this).requestFocus();
         if (resultTabs != null) {
             resultTabs.focusTable();
         }
