@@ -13,7 +13,10 @@ import javax.swing.JScrollPane;
 import javax.swing.JViewport;
 import javax.swing.border.AbstractBorder;
 
-/** A line around a component that has gained the focus by keyboard. */
+/**
+ * A line around a component that has gained the focus by keyboard. It is shown again when a menu or another window
+ * returns the focus.
+ */
 public final class FocusRing extends FocusAdapter {
 
     private static final Set<FocusEvent.Cause> KEYBOARD_CAUSES = EnumSet.of(
@@ -25,6 +28,8 @@ public final class FocusRing extends FocusAdapter {
 
     private final Component component;
     private boolean shown;
+    /** Whether the ring was shown when the component lost the focus for a while. */
+    private boolean suspended;
 
     /** Creates a ring for a component, which must call {@link #paint} after it has painted itself. */
     public FocusRing(Component component) {
@@ -34,11 +39,14 @@ public final class FocusRing extends FocusAdapter {
 
     @Override
     public void focusGained(FocusEvent event) {
-        setShown(KEYBOARD_CAUSES.contains(event.getCause()));
+        boolean returned = suspended && event.getCause() != FocusEvent.Cause.MOUSE_EVENT;
+        suspended = false;
+        setShown(returned || KEYBOARD_CAUSES.contains(event.getCause()));
     }
 
     @Override
     public void focusLost(FocusEvent event) {
+        suspended = shown && event.isTemporary();
         setShown(false);
     }
 

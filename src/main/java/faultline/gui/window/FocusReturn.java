@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import java.awt.Component;
+import java.awt.event.FocusEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 
@@ -26,7 +27,8 @@ final class FocusReturn extends WindowAdapter {
     @Override
     public void windowGainedFocus(WindowEvent event) {
         if (lastFocused != null && !(lastFocused.isShowing() && lastFocused.isEnabled())) {
-            substitute.requestFocusInWindow();
+            // The cause shows where the focus is.
+            substitute.requestFocusInWindow(FocusEvent.Cause.TRAVERSAL);
         }
     }
 }

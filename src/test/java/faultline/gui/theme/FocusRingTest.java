@@ -39,6 +39,23 @@ class FocusRingTest {
         assertEquals(BARE, edge());
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "TRAVERSAL_FORWARD, UNKNOWN, true",
+        "TRAVERSAL_FORWARD, ACTIVATION, true",
+        "TRAVERSAL_FORWARD, MOUSE_EVENT, false",
+        "MOUSE_EVENT, UNKNOWN, false"
+    })
+    void theRingReturnsWithTheFocusFromAMenu(FocusEvent.Cause before, FocusEvent.Cause after, boolean ringed) {
+        runOnEdt(() -> {
+            ring.focusGained(event(FocusEvent.FOCUS_GAINED, before));
+            ring.focusLost(new FocusEvent(panel, FocusEvent.FOCUS_LOST, true, null, FocusEvent.Cause.UNKNOWN));
+        });
+        assertEquals(BARE, edge(), "the menu has the focus");
+        runOnEdt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, after)));
+        assertEquals(ringed ? Theme.LIGHT.colours().accent().getRGB() : BARE, edge());
+    }
+
     private FocusEvent event(int id, FocusEvent.Cause cause) {
         return new FocusEvent(panel, id, false, null, cause);
     }

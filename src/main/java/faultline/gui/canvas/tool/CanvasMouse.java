@@ -162,7 +162,7 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mousePressed(MouseEvent event) {
-        event.getComponent().requestFocusInWindow();
+        event.getComponent().requestFocusInWindow(FocusEvent.Cause.MOUSE_EVENT);
         boolean left = SwingUtilities.isLeftMouseButton(event);
         if (event.getButton() == button || left && toolPoint != null) {
             completeDrag();
