@@ -3,7 +3,11 @@ package faultline.gui.instrument;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import java.awt.Component;
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.util.function.IntUnaryOperator;
+import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
@@ -14,12 +18,16 @@ import javax.swing.KeyStroke;
  */
 public final class PositionedSplitPane extends JSplitPane {
 
+    private static final String RETURN_FOCUS = "returnFocus";
+
     /** Maps the available size to the position of the divider; null before the first call of {@link #place}. */
     private transient IntUnaryOperator place;
 
     private int placedSize;
     private boolean placing;
     private boolean moved;
+    /** The component that had the focus before the divider, null before the first time. */
+    private transient Component lastFocused;
 
     /**
      * Creates a split pane without a border and with continuous layout, given the key of the name of the divider for
@@ -34,11 +42,39 @@ public final class PositionedSplitPane extends JSplitPane {
         setBorder(BorderFactory.createEmptyBorder());
         // Swing would move the focus between both sides of the pane; the window moves it between all areas.
         getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("F6"), "none");
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                remember(event.getOppositeComponent());
+            }
+        });
+        // The Tab key stops at components that have bindings for their own focus.
+        getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ESCAPE"), RETURN_FOCUS);
+        getActionMap().put(RETURN_FOCUS, new AbstractAction() {
+            @Override
+            public boolean isEnabled() {
+                return isFocusOwner() && lastFocused != null;
+            }
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                lastFocused.requestFocusInWindow(FocusEvent.Cause.TRAVERSAL);
+            }
+        });
         addPropertyChangeListener(DIVIDER_LOCATION_PROPERTY, event -> {
             if (!placing) {
                 rememberPosition(getDividerLocation(), availableSize());
             }
         });
+    }
+
+    /** Keeps the component that had the focus before; one divider may get it from another. */
+    private void remember(Component before) {
+        if (before instanceof PositionedSplitPane other) {
+            lastFocused = other.lastFocused;
+        } else if (before != null) {
+            lastFocused = before;
+        }
     }
 
     /** Places the divider at a function of the size of the pane, less that of the divider, pixels. */

@@ -6,8 +6,10 @@ import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicSplitPaneDivider;
 import javax.swing.plaf.basic.BasicSplitPaneUI;
 
-/** A flat split pane: the divider is a line. */
+/** A flat split pane: the divider is a line, a thick one in the accent colour while keys move it. */
 public final class FlatSplitPaneUI extends BasicSplitPaneUI {
+
+    private static final int FOCUSED_THICKNESS = 3;
 
     /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
@@ -21,11 +23,16 @@ public final class FlatSplitPaneUI extends BasicSplitPaneUI {
             public void paint(Graphics graphics) {
                 graphics.setColor(Theme.currentColours().background());
                 graphics.fillRect(0, 0, getWidth(), getHeight());
-                graphics.setColor(Theme.currentColours().line());
+                boolean focused = splitPane.isFocusOwner();
+                int thickness = focused ? FOCUSED_THICKNESS : 1;
+                graphics.setColor(
+                        focused
+                                ? Theme.currentColours().accent()
+                                : Theme.currentColours().line());
                 if (getWidth() < getHeight()) {
-                    graphics.fillRect(getWidth() / 2, 0, 1, getHeight());
+                    graphics.fillRect((getWidth() - thickness) / 2, 0, thickness, getHeight());
                 } else {
-                    graphics.fillRect(0, getHeight() / 2, getWidth(), 1);
+                    graphics.fillRect(0, (getHeight() - thickness) / 2, getWidth(), thickness);
                 }
             }
         };

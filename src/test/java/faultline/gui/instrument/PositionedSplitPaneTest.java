@@ -6,8 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.gui.EdtChecker;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.Theme;
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.event.FocusEvent;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import javax.swing.KeyStroke;
+import javax.swing.plaf.basic.BasicSplitPaneUI;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -47,6 +58,58 @@ class PositionedSplitPaneTest {
             assertEquals(
                     Messages.get("divider.chart"), split.getAccessibleContext().getAccessibleName());
         });
+    }
+
+    /** Keys move a divider that has the focus; the next one gets it from there. */
+    @Test
+    void escapeReturnsTheFocusFromDividersToWhereItWas() {
+        List<JPanel> focused = new ArrayList<>();
+        runOnEdt(() -> {
+            JPanel before = new JPanel() {
+                @Override
+                public boolean requestFocusInWindow(FocusEvent.Cause cause) {
+                    return focused.add(this);
+                }
+            };
+            PositionedSplitPane outer =
+                    new PositionedSplitPane("divider.chart", PositionedSplitPane.VERTICAL_SPLIT, split, before, 1);
+            gainFocus(split, before);
+            gainFocus(outer, split);
+            gainFocus(outer, null);
+            outer.getActionForKeyStroke(KeyStroke.getKeyStroke("ESCAPE")).actionPerformed(null);
+            assertEquals(List.of(before), focused);
+        });
+    }
+
+    private static void gainFocus(PositionedSplitPane pane, Component from) {
+        FocusEvent event = new FocusEvent(pane, FocusEvent.FOCUS_GAINED, false, from);
+        Stream.of(pane.getFocusListeners()).forEach(listener -> listener.focusGained(event));
+    }
+
+    @Test
+    void aFocusedDividerHasTheAccentColour() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            AtomicBoolean focused = new AtomicBoolean();
+            JSplitPane pane = new JSplitPane() {
+                @Override
+                public boolean isFocusOwner() {
+                    return focused.get();
+                }
+            };
+            Component divider = ((BasicSplitPaneUI) pane.getUI()).getDivider();
+            divider.setSize(7, 50);
+            assertEquals(Theme.LIGHT.colours().line().getRGB(), middle(divider));
+            focused.set(true);
+            assertEquals(Theme.LIGHT.colours().accent().getRGB(), middle(divider));
+        });
+    }
+
+    /** Returns the colour in the middle of a divider. */
+    private static int middle(Component divider) {
+        BufferedImage image = new BufferedImage(7, 50, BufferedImage.TYPE_INT_RGB);
+        divider.paint(image.createGraphics());
+        return image.getRGB(3, 25);
     }
 
     @Test
