@@ -104,9 +104,10 @@ public final class PreferencesDialog extends JDialog {
         FormConstraints.addRow(form, row++, key, choice);
     }
 
+    /** Creates a toggle without the mnemonic of its action, which belongs to a menu: two menus may have the same. */
     private static JCheckBox createToggle(UiAction action) {
-        JCheckBox box = new JCheckBox(action);
-        box.setToolTipText(null);
-        return box;
+        JCheckBox toggle = RefreshSteps.add(new JCheckBox(action), box -> box.setMnemonic(0));
+        toggle.setToolTipText(null);
+        return toggle;
     }
 }

@@ -232,6 +232,7 @@ class LiveChoicesRobotTest {
             JDialog guide = driver.dialog("User guide");
             driver.chooseLater("preferences");
             JDialog preferences = driver.dialog("Preferences");
+            assertMnemonicsAreUnique(preferences);
             JComboBox<?> language = ComponentFinder.find(preferences, JComboBox.class, "Language");
             driver.click(language);
             driver.robot().pressKeys(KeyEvent.VK_DOWN);
@@ -243,6 +244,7 @@ class LiveChoicesRobotTest {
             driver.robot()
                     .waitFor("the guide is Polish", () -> !guide.getTitle().equals("User guide"));
             waitUntilSettled(driver);
+            assertMnemonicsAreUnique(preferences);
             Dimension before = callOnEdt(preferences::getSize);
             int width = before.width;
             JComboBox<?> size = ComponentFinder.find(preferences, JComboBox.class, "Wielkość tekstu");
@@ -255,5 +257,13 @@ class LiveChoicesRobotTest {
             driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
             driver.robot().waitFor("the dialog is gone", () -> !preferences.isShowing());
         }
+    }
+
+    private static void assertMnemonicsAreUnique(JDialog dialog) {
+        List<Integer> mnemonics = callOnEdt(() -> ComponentFinder.findAll(dialog, AbstractButton.class)
+                .map(AbstractButton::getMnemonic)
+                .filter(mnemonic -> mnemonic != 0)
+                .toList());
+        assertEquals(mnemonics.stream().distinct().toList(), mnemonics);
     }
 }
