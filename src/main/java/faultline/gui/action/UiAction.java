@@ -68,9 +68,7 @@ public final class UiAction extends AbstractAction {
     public void rename(String textKey, String value) {
         texts = () -> {
             setTexts(key);
-            putValue(
-                    Action.NAME,
-                    Messages.get("action." + textKey, UiText.shortName(value)).replaceFirst("&", ""));
+            setName(Messages.get("action." + textKey, UiText.shortName(value)));
         };
         texts.run();
     }
@@ -87,12 +85,19 @@ public final class UiAction extends AbstractAction {
     }
 
     private void setTexts(String textKey) {
-        String name = Messages.get("action." + textKey);
-        int mark = name.indexOf('&');
-        putValue(Action.NAME, name.replace("&", ""));
-        putValue(MNEMONIC_KEY, mark < 0 ? null : (int) Character.toUpperCase(name.charAt(mark + 1)));
+        setName(Messages.get("action." + textKey));
         putValue(LONG_DESCRIPTION, Messages.get("action." + textKey + ".tip"));
         updateToolTip();
+    }
+
+    /** Sets a name; the letter after its ampersand is the mnemonic. */
+    private void setName(String marked) {
+        int mark = marked.indexOf('&');
+        // Buttons underline the first such letter of a new name, also if the index stays the same.
+        putValue(DISPLAYED_MNEMONIC_INDEX_KEY, null);
+        putValue(Action.NAME, marked.replaceFirst("&", ""));
+        putValue(MNEMONIC_KEY, mark < 0 ? null : (int) Character.toUpperCase(marked.charAt(mark + 1)));
+        putValue(DISPLAYED_MNEMONIC_INDEX_KEY, mark < 0 ? null : mark);
     }
 
     private void updateToolTip() {

@@ -139,6 +139,11 @@ public final class ToolBar extends JToolBar {
         public void setMnemonic(int mnemonic) {
             super.setMnemonic(0);
         }
+
+        @Override
+        public void setDisplayedMnemonicIndex(int index) {
+            super.setDisplayedMnemonicIndex(-1);
+        }
     }
 
     /** A toggle button without a mnemonic. */
@@ -146,6 +151,11 @@ public final class ToolBar extends JToolBar {
         @Override
         public void setMnemonic(int mnemonic) {
             super.setMnemonic(0);
+        }
+
+        @Override
+        public void setDisplayedMnemonicIndex(int index) {
+            super.setDisplayedMnemonicIndex(-1);
         }
     }
 }

@@ -102,6 +102,7 @@ public final class UiText {
         int mark = marked.indexOf('&');
         item.setText(marked.replaceFirst("&", ""));
         item.setMnemonic(mark < 0 ? 0 : Character.toUpperCase(marked.charAt(mark + 1)));
+        item.setDisplayedMnemonicIndex(mark);
     }
 
     /** Gives a component the accessible name of a key; returns it. */
