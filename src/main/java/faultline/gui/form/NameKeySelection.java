@@ -14,7 +14,7 @@ import javax.swing.JComboBox;
  * letter selects the next entry, as each repetition of it does. Several letters select the entry with this complete
  * name, or else an entry that begins with them: that which was selected before, or else the next one.
  */
-public final class NameKeySelection<T> implements JComboBox.KeySelectionManager {
+final class NameKeySelection<T> implements JComboBox.KeySelectionManager {
 
     private static final long MAX_MILLIS = 1000;
 
@@ -32,14 +32,16 @@ public final class NameKeySelection<T> implements JComboBox.KeySelectionManager 
         this.clock = clock;
     }
 
-    /** Lets letters select the entries of a combo box by their names. */
-    public static <T> void install(JComboBox<T> box, Function<T, String> name) {
-        install(box, name, EventQueue::getMostRecentEventTime);
+    /** Lets letters select the entries of a combo box by their names; returns what finds the entries. */
+    static <T> NameKeySelection<T> install(JComboBox<T> box, Function<T, String> name) {
+        return install(box, name, EventQueue::getMostRecentEventTime);
     }
 
     /** Does the same with a clock, milliseconds. */
-    static <T> void install(JComboBox<T> box, Function<T, String> name, LongSupplier clock) {
-        box.setKeySelectionManager(new NameKeySelection<>(name, clock));
+    static <T> NameKeySelection<T> install(JComboBox<T> box, Function<T, String> name, LongSupplier clock) {
+        NameKeySelection<T> keys = new NameKeySelection<>(name, clock);
+        box.setKeySelectionManager(keys);
+        return keys;
     }
 
     @Override
@@ -48,6 +50,11 @@ public final class NameKeySelection<T> implements JComboBox.KeySelectionManager 
                 .filter(i -> model.getElementAt(i).equals(model.getSelectedItem()))
                 .findFirst()
                 .orElse(-1);
+        return indexForKey(key, model, selected);
+    }
+
+    /** Returns the index of the entry for a letter, given the selected entry, -1 for none; -1 if there is none. */
+    int indexForKey(char key, ComboBoxModel<?> model, int selected) {
         long now = clock.getAsLong();
         String letter = String.valueOf(key).toLowerCase(Locale.ROOT);
         boolean continues = now - lastMillis < MAX_MILLIS && selected == after && !typed.equals(letter);

@@ -8,17 +8,19 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.ListCellRenderer;
+import javax.swing.plaf.basic.ComboPopup;
 
 /** A combo box of values with names. It shows the present value unless the user is choosing. */
 public final class NamedChoice<T> extends JComboBox<T> {
 
+    private final transient NameKeySelection<T> keys;
     private boolean updating;
 
     /** Creates a choice of the first value; {@code onChange} receives every value that the user chooses. */
     public NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
         super(values);
         setRenderer(rendererOf(name));
-        NameKeySelection.install(this, name);
+        keys = NameKeySelection.install(this, name);
         addActionListener(event -> {
             if (!updating) {
                 onChange.accept(value());
@@ -43,6 +45,21 @@ public final class NamedChoice<T> extends JComboBox<T> {
                 return super.getListCellRendererComponent(items, text, index, selected, focused);
             }
         };
+    }
+
+    /** Selects the entry for a letter. In the open list, the letter only highlights it, as an arrow key does. */
+    @Override
+    public boolean selectWithKeyChar(char key) {
+        if (!isPopupVisible() || !(getUI().getAccessibleChild(this, 0) instanceof ComboPopup popup)) {
+            return super.selectWithKeyChar(key);
+        }
+        JList<?> list = popup.getList();
+        int found = keys.indexForKey(key, getModel(), list.getSelectedIndex());
+        if (found >= 0) {
+            list.setSelectedIndex(found);
+            list.ensureIndexIsVisible(found);
+        }
+        return found >= 0;
     }
 
     /** Returns the chosen value. */

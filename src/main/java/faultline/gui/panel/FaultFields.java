@@ -2,7 +2,6 @@ package faultline.gui.panel;
 
 import faultline.gui.form.FormConstraints;
 import faultline.gui.form.MutedLabel;
-import faultline.gui.form.NameKeySelection;
 import faultline.gui.form.NamedChoice;
 import faultline.gui.form.NumberSpinner;
 import faultline.gui.text.FaultText;
@@ -22,7 +21,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.util.Optional;
-import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -46,7 +44,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     /** Enough for the longest sentence at the usual widths of fonts, so that the fields below stay where they are. */
     private static final int DESCRIPTION_ROWS = 2;
 
-    private final JComboBox<K> kind;
+    private final NamedChoice<K> kind;
 
     private final NumberSpinner value = new NumberSpinner(FaultText.NUMBER_PATTERN, 0, 1, 0.05, ignored -> {});
     private final NumberSpinner length =
@@ -61,7 +59,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     private double range = Double.POSITIVE_INFINITY;
 
     private FaultFields(K[] kinds, K initial) {
-        this.kind = new JComboBox<>(kinds);
+        this.kind = new NamedChoice<>(kinds, FaultText::nameOf, chosen -> updateKind());
         configureKind(kinds.length);
         configure(value, "faults.value");
         configure(length, "faults.length");
@@ -87,16 +85,13 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         return new FaultFields<>(MotorFaultKind.values(), MotorFaultKind.WEAK);
     }
 
-    @SuppressWarnings("unchecked")
     private K selected() {
-        return (K) kind.getSelectedItem();
+        return kind.value();
     }
 
     private void configureKind(int count) {
         kind.setRenderer(NamedChoice.rendererOf(FaultText::nameOf, FaultText::describe));
-        NameKeySelection.install(kind, FaultText::nameOf);
         kind.setMaximumRowCount(count);
-        kind.addActionListener(event -> updateKind());
         UiText.name(kind, "faults.kind");
     }
 
