@@ -27,6 +27,9 @@ final class LaneActions {
             new Command.InjectMotorFault(
                     MotorSide.LEFT, MotorFaultKind.WEAK.createFault(MotorFaultKind.WEAK.defaultValue()))));
 
+    /** The context menu that was shown last, null before the first. */
+    private JPopupMenu shownMenu;
+
     LaneActions(LaneView view, TimelineEditor editor) {
         this.view = view;
         this.editor = editor;
@@ -196,7 +199,12 @@ final class LaneActions {
 
     /** Shows the context menu of the selected lane and item. */
     void showMenu(Component invoker, int x, int y, double time) {
-        ContextMenu.show(createMenu(time), invoker, x, y);
+        shownMenu = createMenu(time);
+        ContextMenu.show(shownMenu, invoker, x, y);
+    }
+
+    boolean isMenuShown() {
+        return shownMenu != null && shownMenu.isVisible();
     }
 
     /** Returns the context menu of the selected lane and item; new items start at a time. */

@@ -71,7 +71,7 @@ final class LanePainter {
     private void paintLanes() {
         for (int lane = 0; lane < lanes.lanes().size(); lane++) {
             int y = lanes.laneTop(lane);
-            if (lane == view.lane() && view.isFocusOwner()) {
+            if (lane == view.lane() && view.showsSelectedLane()) {
                 g.setColor(theme.colours().hover());
                 g.fillRect(0, y, view.getWidth(), lanes.laneHeight(lane));
                 g.setColor(theme.colours().accent());

@@ -303,6 +303,11 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
                 : Optional.of(model.items().get(selection));
     }
 
+    /** Returns whether keys or an open menu are for the selected lane. */
+    boolean showsSelectedLane() {
+        return isFocusOwner() || actions.isMenuShown();
+    }
+
     Lane selectedLane() {
         return allLanes.get(lane);
     }

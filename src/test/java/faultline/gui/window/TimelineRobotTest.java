@@ -10,6 +10,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.GuiRobot;
 import faultline.gui.form.NumberSpinner;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.LaneView;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
@@ -17,11 +18,13 @@ import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -128,8 +131,18 @@ class TimelineRobotTest {
                         MenuSelectionManager.defaultManager().getSelectedPath())
                 .anyMatch(
                         part -> part instanceof JMenuItem item && item.getText().equals("New fault here…")));
+        driver.robot().waitFor("the lane is still marked", this::isLaneMarked);
         driver.type(KeyEvent.VK_ENTER);
         driver.clickButton(NEW_FAULT, "Cancel");
+    }
+
+    /** Returns whether the left edge of the lanes has a mark. Event dispatch thread only. */
+    private boolean isLaneMarked() {
+        LaneView view = lanes.view();
+        BufferedImage edge = new BufferedImage(1, view.getHeight(), BufferedImage.TYPE_INT_RGB);
+        view.paint(edge.createGraphics());
+        int accent = Theme.LIGHT.colours().accent().getRGB();
+        return IntStream.range(0, edge.getHeight()).anyMatch(y -> edge.getRGB(0, y) == accent);
     }
 
     @Test
