@@ -82,13 +82,15 @@ final class ReadingBar extends AccessibleComponent {
         getAccessibleContext().setAccessibleName(Messages.get(readingKind.key, sensor));
     }
 
-    void setSnapshot(SensorSnapshot snapshot) {
+    /** Shows the reading of a sensor; returns whether the bar must be painted again. */
+    boolean setSnapshot(SensorSnapshot snapshot) {
         Reading reading = readingKind.reading.apply(snapshot);
         double newShare = reading.distance().orElse(0) / snapshot.spec().range();
         String newText = ReadingText.format(reading);
         boolean newFaulty =
                 readingKind == ReadingKind.REPORTED && !snapshot.faults().isEmpty();
-        if (newShare != fillShare || !newText.equals(text) || newFaulty != faulty) {
+        boolean changed = newShare != fillShare || !newText.equals(text) || newFaulty != faulty;
+        if (changed) {
             fillShare = newShare;
             text = newText;
             shownText = ReadingText.formatShort(reading);
@@ -96,6 +98,7 @@ final class ReadingBar extends AccessibleComponent {
             repaint();
         }
         updateToolTip(snapshot);
+        return changed;
     }
 
     private void updateToolTip(SensorSnapshot snapshot) {

@@ -125,14 +125,17 @@ final class SensorRow {
                 .ifPresent(spec -> sender.send(new Command.ConfigureSensor(change.apply(spec))));
     }
 
-    /** Shows the settings of the sensor as they will be after all pending edits, and its current readings. */
-    void setSensor(SensorSpec shown, SensorSnapshot snapshot) {
+    /**
+     * Shows the settings of the sensor as they will be after all pending edits, and its current readings; returns the
+     * place of the readings, empty if they are the same as before.
+     */
+    Rectangle setSensor(SensorSpec shown, SensorSnapshot snapshot) {
         if (enabledBox.isSelected() != shown.on()) {
             enabledBox.setSelected(shown.on());
         }
         range.setWorldValue(shown.range());
         cone.setWorldValue(coneDegrees.toDegrees(shown.cone()));
-        actualReading.setSnapshot(snapshot);
-        reportedReading.setSnapshot(snapshot);
+        boolean changed = actualReading.setSnapshot(snapshot) | reportedReading.setSnapshot(snapshot);
+        return changed ? actualReading.getBounds().union(reportedReading.getBounds()) : new Rectangle();
     }
 }

@@ -12,6 +12,7 @@ import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.Rectangle;
 import java.awt.Shape;
 import java.util.ArrayList;
 import java.util.List;
@@ -49,9 +50,13 @@ public final class SensorsPanel extends JPanel {
             rebuild(sensors);
         }
         List<SensorSpec> expected = sender.pendingEdits().robot().sensors();
+        Rectangle changed = new Rectangle();
         for (int i = 0; i < rows.size(); i++) {
-            rows.get(i).setSensor(expected.get(i), sensors.get(i));
+            Rectangle readings = rows.get(i).setSensor(expected.get(i), sensors.get(i));
+            changed = changed.isEmpty() ? readings : readings.isEmpty() ? changed : changed.union(readings);
         }
+        // Bars that are painted one by one would show readings of two frames side by side.
+        repaint(changed);
     }
 
     /** Gives the highlighted sensor the id that it has in the next snapshot, as returned for the present one. */

@@ -8,6 +8,7 @@ import com.sun.management.ThreadMXBean;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.form.NumberSpinner;
@@ -19,10 +20,13 @@ import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import faultline.world.World;
 import faultline.world.WorldSpec;
+import java.awt.Rectangle;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import javax.swing.JComponent;
+import javax.swing.RepaintManager;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 
@@ -49,6 +53,53 @@ class SensorsPanelTest {
             range.commitPendingEdit();
             assertEquals(List.of(), commands);
         });
+    }
+
+    /** Swing paints and shows each component for itself, unless one around it must be painted, too. */
+    @Test
+    void theReadingsOfAFrameArePaintedTogether() {
+        List<Rectangle> painted = new ArrayList<>();
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            CommandSender sender = new CommandSender((sent, onExecuted) -> {});
+            SensorsPanel panel = new SensorsPanel(sender);
+            sender.pendingEdits().setRobot(RobotSpec.DEFAULT);
+            panel.setSensors(sensorsAt(2.5));
+            panel.setSize(panel.getPreferredSize());
+            panel.doLayout();
+            RepaintManager before = RepaintManager.currentManager(panel);
+            RepaintManager.setCurrentManager(new RepaintManager() {
+                @Override
+                public void addDirtyRegion(JComponent part, int x, int y, int width, int height) {
+                    if (part == panel && width > 0) {
+                        painted.add(new Rectangle(x, y, width, height));
+                    }
+                }
+            });
+            try {
+                panel.setSensors(sensorsAt(2.5));
+                assertEquals(List.of(), painted, "nothing has changed");
+                panel.setSensors(sensorsAt(4.6));
+            } finally {
+                RepaintManager.setCurrentManager(before);
+            }
+            assertEquals(1, painted.size());
+            assertTrue(
+                    ComponentFinder.findAll(panel, ReadingBar.class)
+                                    .map(ReadingBar::getBounds)
+                                    .filter(painted.get(0)::contains)
+                                    .count()
+                            >= 4,
+                    "both readings of two sensors or more");
+        });
+    }
+
+    /** Returns the sensors of a robot in a room of 5 m, which looks at the right wall. */
+    private static List<SensorSnapshot> sensorsAt(double x) {
+        World world =
+                new World(new WorldSpec(5, 5, true, 0, List.of()), RobotSpec.DEFAULT, new Pose(x, 2.5, 0), 0.01, 0);
+        world.sense();
+        return world.snapshot().sensors();
     }
 
     /** What the robot will be after the pending edits is the same for all rows, and has a list of all sensors. */
