@@ -12,6 +12,7 @@ import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
+import faultline.world.Refusal;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.util.function.BooleanSupplier;
@@ -103,8 +104,18 @@ public final class StatusBar extends JPanel {
         note.update(world);
         if (status.refusals() != shownRefusals) {
             shownRefusals = status.refusals();
-            status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
+            status.lastRefusal()
+                    .ifPresent(refusal ->
+                            showNote(RefusalText.format(refusal), now -> !isPlacedElsewhere(refusal, world, now)));
         }
+    }
+
+    /** Returns whether an obstacle that was refused a place has got another one since, other than by its motion. */
+    private static boolean isPlacedElsewhere(Refusal refusal, Snapshot refused, Snapshot now) {
+        return refusal.reason() == Refusal.Reason.OVERLAPS_ROBOT
+                && now.obstacles().stream()
+                        .filter(obstacle -> obstacle.id().equals(refusal.subject()) && !obstacle.isMoving())
+                        .anyMatch(obstacle -> !refused.obstacles().contains(obstacle));
     }
 
     /** Says why a run has failed, or why nothing moves and a run does not pause at once; empty otherwise. */

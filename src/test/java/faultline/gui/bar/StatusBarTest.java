@@ -22,6 +22,8 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.paint.surface.Camera;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import faultline.world.Refusal;
 import faultline.world.Snapshot;
 import java.util.List;
@@ -191,6 +193,20 @@ class StatusBarTest {
         assertTrue(texts().contains("there is no obstacle box"), "however often it was painted");
         show(5100, frame, refused);
         assertFalse(texts().contains("there is no obstacle box"));
+    }
+
+    @Test
+    void theRefusalOfAPlaceIsShownUntilTheObstacleHasGotAnotherOne() {
+        Obstacle box = new Obstacle("box", new ObstacleShape.CircleShape(0.1), new Pose(2, 2, 0));
+        Frame before = SampleFrames.frameOf(new Pose(1, 1, 0), box);
+        SessionStatus refused =
+                new SessionStatus(false, 1, 1, 1, new Refusal(Refusal.Reason.OVERLAPS_ROBOT, "box"), null);
+        String sentence = "box cannot be put there: it would overlap the robot";
+        show(before, refused);
+        show(1500, before, refused);
+        assertTrue(texts().contains(sentence));
+        show(1600, SampleFrames.frameOf(new Pose(1, 1, 0), box.withPose(new Pose(2, 3, 0))), refused);
+        assertFalse(texts().contains(sentence));
     }
 
     @Test
