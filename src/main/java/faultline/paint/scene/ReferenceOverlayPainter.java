@@ -18,6 +18,9 @@ import java.util.function.UnaryOperator;
 /** Paints a reference run: its path, its robot as a dashed outline, a mark at the first difference, and a caption. */
 public final class ReferenceOverlayPainter {
 
+    /** The least distance of the label of a mark from the sides of the picture, pixels. */
+    private static final double LABEL_MARGIN = 2;
+
     private static final Stroke DASHED_STROKE = DrawContext.dashedStroke(1.6, 4, 3);
     private static final Stroke SOLID_STROKE = DrawContext.solidStroke(1.8);
     private static final double MARK_RADIUS = 8;
@@ -119,7 +122,14 @@ public final class ReferenceOverlayPainter {
         context.draw(diamond, context.palette().canvas(), DrawContext.HALO_STROKE);
         context.draw(diamond, colour, SOLID_STROKE);
         context.draw(Shapes.polyline(List.of(at.minus(half), at.plus(half))), colour, SOLID_STROKE);
-        context.drawLabel(text, at.x(), at.y() - MARK_RADIUS - context.scaleToFont(LABEL_GAP), colour);
+        double x = context.camera().bounds().contains(at.x(), at.y()) ? labelX(context, text, at.x()) : at.x();
+        context.drawLabel(text, x, at.y() - MARK_RADIUS - context.scaleToFont(LABEL_GAP), colour);
+    }
+
+    /** Returns the centre of a label at a mark, moved into the picture if necessary. */
+    private static double labelX(DrawContext context, String text, double x) {
+        double half = context.measureText(text).getWidth() / 2 + LABEL_MARGIN;
+        return Math.max(half, Math.min(context.camera().width() - half, x));
     }
 
     /**

@@ -122,6 +122,24 @@ class ReferenceOverlayPainterTest {
     }
 
     @Test
+    void theLabelOfAMarkAtTheEdgeStaysInThePicture() {
+        ReferenceOverlay office = SampleReferenceOverlays.office();
+        Vector2 place = office.run().pose(1000).position();
+        RecordingSurface drawn = new RecordingSurface();
+        Camera camera = new Camera(place.x() + (WIDTH / 2.0 - 10) / 60, place.y(), 60, WIDTH, HEIGHT);
+        ReferenceOverlayPainter.paintAnnotations(
+                new DrawContext(drawn, camera, Palette.LIGHT, DrawContext.DEFAULT_FONT),
+                office,
+                SampleFrames.frameOf(new Pose(1, 6, 0)).snapshot(),
+                ReferenceOverlayPainter.createCornerChoice(),
+                List.of());
+        String label = drawn.texts().get(0);
+        assertTrue(label.startsWith("differs from 10 s"), label);
+        double left = Double.parseDouble(label.replaceFirst(".* at ", "").replaceFirst(",.*", ""));
+        assertTrue(left >= 0 && left < 10, label);
+    }
+
+    @Test
     void aMarkIsOnThePathWithItsLabelAboveAndTheCaptionHasAllItsLines() {
         ReferenceOverlay office = SampleReferenceOverlays.office();
         Vector2 place = office.run().pose(1000).position();
