@@ -3,13 +3,13 @@ package faultline.gui.timeline;
 import faultline.engine.SimulationSetup;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
+import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.RunNavigator;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
 import java.awt.event.KeyEvent;
 import java.util.OptionalLong;
-import java.util.function.Consumer;
 
 /**
  * The actions of the time line: those that move the run to the next or previous mark, and those that zoom the lanes. If
@@ -19,7 +19,7 @@ public final class TimelineActions implements WorkspaceListener {
 
     private final TimelinePanel timeline;
     private final RunNavigator navigator;
-    private final Consumer<String> notifier;
+    private final Notes notes;
     private final UiAction nextEvent =
             UiAction.of("nextEvent", this::goToNext).withAccelerator(Keystrokes.character('>'));
     private final UiAction previousEvent =
@@ -31,11 +31,14 @@ public final class TimelineActions implements WorkspaceListener {
     private final UiAction showAll =
             UiAction.of("lanesWhole", this::showAll).withAccelerator(Keystrokes.unmodified(KeyEvent.VK_W));
 
-    /** Creates the actions of a time line, disabled before there is a run; {@code notifier} shows notes. */
-    public TimelineActions(TimelinePanel timeline, RunNavigator navigator, Consumer<String> notifier) {
+    /** The last note about a mark that the run was moved to, empty before. */
+    private String eventNote = "";
+
+    /** Creates the actions of a time line, disabled before there is a run. */
+    public TimelineActions(TimelinePanel timeline, RunNavigator navigator, Notes notes) {
         this.timeline = timeline;
         this.navigator = navigator;
-        this.notifier = notifier;
+        this.notes = notes;
         timeline.zoom().addListener(this::updateZoom);
         timeline.addLanesListener(this::updateZoom);
         update(0);
@@ -79,8 +82,9 @@ public final class TimelineActions implements WorkspaceListener {
     /** Moves the run to a mark; does nothing while it is being moved. */
     private void goTo(long tick) {
         if (navigator.seekIfIdle(tick)) {
-            notifier.accept(Messages.get(
-                    "note.event", timeline.tickText(tick), timeline.stops().text(tick)));
+            eventNote = Messages.get(
+                    "note.event", timeline.tickText(tick), timeline.stops().text(tick));
+            notes.show(eventNote);
         }
     }
 
@@ -92,6 +96,7 @@ public final class TimelineActions implements WorkspaceListener {
     @Override
     public void scenarioRestarted(SimulationSetup before) {
         timeline.showTick(0);
+        notes.remove(eventNote);
     }
 
     private void zoom(int steps) {

@@ -188,7 +188,7 @@ public final class MainWindow extends JFrame {
     }
 
     private TimelineActions addTimelineActions() {
-        TimelineActions added = new TimelineActions(mainPanel.timeline(), runController.navigator(), notes::show);
+        TimelineActions added = new TimelineActions(mainPanel.timeline(), runController.navigator(), notes);
         added.addTo(actionRegistry);
         workspace.addListener(added);
         return added;

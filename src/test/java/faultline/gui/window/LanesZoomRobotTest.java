@@ -128,6 +128,10 @@ class LanesZoomRobotTest {
         waitForTick(300);
         goTo("previousEvent", 200);
         driver.robot().waitFor("nothing is marked before", () -> !driver.isEnabled("previousEvent"));
+        assertTrue(callOnEdt(driver::statusNote).startsWith("2.00 s: front: stuck"), callOnEdt(driver::statusNote));
+        driver.choose("restart");
+        waitForTick(0);
+        assertFalse(callOnEdt(driver::statusNote).startsWith("2.00 s"), "the note about another time has ended");
         assertEquals(0.8, shownShare(), 0.001);
     }
 
