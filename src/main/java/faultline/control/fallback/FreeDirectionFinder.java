@@ -1,10 +1,11 @@
 package faultline.control.fallback;
 
 import faultline.control.diagnosis.DeadReckoning;
+import java.util.function.DoubleBinaryOperator;
 
 /**
  * Finds the direction along the wall: the first one, clockwise from the direction of the wall, that keeps the wanted
- * distance from all surfaces.
+ * distance from surfaces.
  */
 final class FreeDirectionFinder {
 
@@ -40,13 +41,34 @@ final class FreeDirectionFinder {
      * @param at the position of the robot
      * @param from the direction of the wall, radians
      * @param length the length that must be free, metres
-     * @param distance to be kept from surfaces, metres
+     * @param distance to be kept from all surfaces, metres
      * @return whether a direction is free; if none is, the last one that was found remains
      */
     boolean find(DeadReckoning at, double from, double length, double distance) {
+        return find(at, from, length, distance, distance, 0);
+    }
+
+    /**
+     * Finds the first direction that is free, with a smaller distance from surfaces on the right of the path.
+     *
+     * @param at the position of the robot
+     * @param from the direction of the wall, radians
+     * @param length the length that must be free, metres
+     * @param distance to be kept from surfaces on the left, and ahead of the platform, metres
+     * @param onRight to be kept from all surfaces, metres
+     * @param half half the platform's width, metres
+     * @return whether a direction is free; if none is, the last one that was found remains
+     */
+    boolean find(DeadReckoning at, double from, double length, double distance, double onRight, double half) {
         for (int i = 0; i < DIRECTIONS; i++) {
             double candidate = from - i * STEP;
-            if (isOpen(at, candidate, length, distance)) {
+            double cos = StrictMath.cos(candidate);
+            double sin = StrictMath.sin(candidate);
+            double dx = length * cos;
+            double dy = length * sin;
+            if (isOpen(at, dx, dy, onRight, map::toSurface)
+                    && (onRight >= distance
+                            || isOpen(at, dx, dy, distance, (x, y) -> map.toSurfaceOnLeft(x, y, cos, sin, half)))) {
                 direction = candidate;
                 return true;
             }
@@ -59,15 +81,15 @@ final class FreeDirectionFinder {
         return direction;
     }
 
-    private boolean isOpen(DeadReckoning at, double candidate, double length, double distance) {
-        double cos = StrictMath.cos(candidate);
-        double sin = StrictMath.sin(candidate);
-        double end = map.toSurface(at.x() + length * cos, at.y() + length * sin);
+    /** Returns whether the end and the middle of a path, given by its vector, are far enough from surfaces. */
+    private static boolean isOpen(
+            DeadReckoning at, double dx, double dy, double distance, DoubleBinaryOperator toSurface) {
+        double end = toSurface.applyAsDouble(at.x() + dx, at.y() + dy);
         if (end < distance) {
             return false;
         }
-        double middle = map.toSurface(at.x() + length / 2 * cos, at.y() + length / 2 * sin);
-        return middle >= Math.min(distance, map.toSurface(at.x(), at.y())) - NEARER;
+        double middle = toSurface.applyAsDouble(at.x() + dx / 2, at.y() + dy / 2);
+        return middle >= Math.min(distance, toSurface.applyAsDouble(at.x(), at.y())) - NEARER;
     }
 
     /**

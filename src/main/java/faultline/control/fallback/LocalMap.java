@@ -147,6 +147,41 @@ final class LocalMap {
         return Math.sqrt(least) * EvidenceGrid.CELL;
     }
 
+    /**
+     * Returns the distance from a point of a path to the nearest surface on the path's left, or ahead of the platform.
+     *
+     * @param px the point's x coordinate, metres
+     * @param py its y coordinate, metres
+     * @param cos the cosine of the direction of the path
+     * @param sin its sine
+     * @param half half the platform's width, metres
+     * @return metres, computed as by {@link #toSurface}; 0 if the point is not in the window
+     */
+    double toSurfaceOnLeft(double px, double py, double cos, double sin, double half) {
+        int c = columnOf(px);
+        int r = rowOf(py);
+        if (!contains(c, r)) {
+            return 0;
+        }
+        double least = FAR;
+        for (int i = 0; i < surfaceCount; i++) {
+            int dx = (surfaceCells[i] & COLUMN_MASK) - c;
+            int dy = (surfaceCells[i] >> ROW_SHIFT) - r;
+            double left = (dy * cos - dx * sin) * EvidenceGrid.CELL;
+            if (left >= 0 || left > -half && dx * cos + dy * sin > 0) {
+                least = Math.min(least, exact ? Math.sqrt(dx * dx + dy * dy) : chamfer(dx, dy));
+            }
+        }
+        return least * EvidenceGrid.CELL;
+    }
+
+    /** Returns the distance that the sweeps give for a vector, in cells. */
+    private static double chamfer(int dx, int dy) {
+        int most = Math.max(Math.abs(dx), Math.abs(dy));
+        int fewest = Math.min(Math.abs(dx), Math.abs(dy));
+        return most + fewest * ((double) (DIAGONAL - STRAIGHT) / STRAIGHT);
+    }
+
     /** Returns whether a point is known to be free. */
     boolean isKnown(double px, double py) {
         int c = columnOf(px);

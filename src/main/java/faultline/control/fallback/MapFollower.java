@@ -49,7 +49,10 @@ public final class MapFollower {
      */
     private static final double COARSENESS = 0.04;
 
-    /** The margin that the planned distance leaves around the circle in which the robot turns, metres. */
+    /**
+     * The margin that the planned distance leaves around the circle in which the robot turns, and a large planned
+     * distance around that circle on the side that does not face the wall, metres.
+     */
     private static final double TURNING_MARGIN = 0.07;
 
     /** The margin does not make the planned distance larger than this, because passages may be narrow, metres. */
@@ -205,23 +208,25 @@ public final class MapFollower {
     }
 
     /**
-     * Finds the first direction that keeps the wanted distance. If there is none, the passage is narrow, or the robot
+     * Finds the first direction that keeps the planned distance. If there is none, the passage is narrow, or the robot
      * is so near to the wall that it does not get far enough away within the distance that it looks ahead. If the
-     * wanted distance makes this possible, it then moves away step by step, or keeps the distance that it has.
+     * planned distance is large, it then moves away step by step, or keeps the distance that it has.
      */
     private boolean findOpenDirection() {
-        if (findOpenDirection(plannedDistance())) {
+        double least = Steering.turningRadius(robot);
+        double planned = plannedDistance();
+        if (planned <= least + REACHED_WITHOUT_STEPS) {
+            return findOpenDirection(planned) || findOpenDirection(least);
+        }
+        // A passage that is less than twice as wide as the planned distance is passed along the wall on its left.
+        double onRight = least + TURNING_MARGIN;
+        if (directionFinder.find(at, wall.direction(), LOOK_AHEAD, planned, onRight, robot.width() / 2)) {
             return true;
         }
-        double least = Steering.turningRadius(robot);
-        if (plannedDistance() > least + REACHED_WITHOUT_STEPS) {
-            double distance = map.toSurface(at.x(), at.y());
-            if (findOpenDirection(Math.min(plannedDistance(), distance + STEP_AWAY))
-                    || findOpenDirection(Math.max(least, distance - MAY_COME_NEARER))) {
-                return true;
-            }
-        }
-        return findOpenDirection(least);
+        double distance = map.toSurface(at.x(), at.y());
+        return findOpenDirection(Math.min(planned, distance + STEP_AWAY))
+                || findOpenDirection(Math.max(least, distance - MAY_COME_NEARER))
+                || findOpenDirection(least);
     }
 
     private boolean findOpenDirection(double distance) {

@@ -70,6 +70,23 @@ class FreeDirectionFinderTest {
     }
 
     @Test
+    void aSmallerDistanceIsKeptFromTheSurfacesOnTheRight() {
+        wall(90, 0.5);
+        wall(-90, 0.3);
+        assertFalse(find(0.45, 0.45), "the passage is too narrow");
+        assertTrue(find(0.45, 0.25));
+        assertEquals(0, Math.toDegrees(directionFinder.direction()), 12);
+        assertFalse(find(0.45, 0.37), "the wall on the right is too near");
+        wall(0, 0.6);
+        assertFalse(find(0.45, 0.25), "the passage ends");
+    }
+
+    private boolean find(double distance, double onRight) {
+        return directionFinder.find(at, StrictMath.PI / 2, LENGTH, distance, onRight, 0.1)
+                && Math.cos(directionFinder.direction()) > 0;
+    }
+
+    @Test
     void aWallAheadTurnsTheRobotOn() {
         wall(90, 0.22);
         wall(0, 0.3);

@@ -77,6 +77,34 @@ class LocalMapTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.7, 1.6, -2.5})
+    void onTheLeftAndAheadOnlyTheSurfacesThereCount(double direction) {
+        SplittableRandom random = new SplittableRandom(7);
+        drive(BLIND, 2, 2, 50);
+        double cos = Math.cos(direction);
+        double sin = Math.sin(direction);
+        for (int i = 0; i < 200; i++) {
+            int[] surface = {random.nextInt(-33, 33), random.nextInt(-33, 33)};
+            LocalMapTest alone = new LocalMapTest();
+            alone.drive(BLIND, 2, 2, 50);
+            alone.diagnosis.markUnseen(x(surface[0]), y(surface[1]));
+            alone.refresh();
+            int[] from = {random.nextInt(-20, 20), random.nextInt(-20, 20)};
+            int dx = surface[0] - from[0];
+            int dy = surface[1] - from[1];
+            double left = (dy * cos - dx * sin) * CELL;
+            boolean counts = left >= 0 || left > -0.1 && dx * cos + dy * sin > 0;
+            double distance = alone.map.toSurfaceOnLeft(x(from[0]), y(from[1]), cos, sin, 0.1);
+            if (counts) {
+                assertEquals(alone.map.toSurface(x(from[0]), y(from[1])), distance, 1e-9, dx + ", " + dy);
+            } else {
+                assertTrue(distance > 10, dx + ", " + dy);
+            }
+        }
+        assertEquals(0, map.toSurfaceOnLeft(x(40), y(0), cos, sin, 0.1), "outside of the window");
+    }
+
     @Test
     void withoutSurfacesEverythingInTheWindowIsFarAwayAndOutsideIsASurface() {
         drive(BLIND, 2, 2, 50);

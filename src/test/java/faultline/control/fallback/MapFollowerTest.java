@@ -20,6 +20,7 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The distance that the local map keeps after the left sensor has failed. */
@@ -75,6 +76,36 @@ class MapFollowerTest {
             }
             assertEquals(0.7, toWall(simulation.pose()), 0.1);
         }
+    }
+
+    /** The box leaves passages of 1 m, of which the wanted distance and half the robot take more than half. */
+    @ParameterizedTest
+    @CsvSource({"left, 0.5", "front, 0.5", "left, 0.55", "front, 0.55"})
+    void aPassageIsPassedAlongTheWallThatIsFollowed(String sensor, double wanted) {
+        Obstacle box = new Obstacle("box", new ObstacleShape.RectangleShape(2, WIDTH - 2), new Pose(6, WIDTH / 2, 0));
+        SimulationSetup setup = room(List.of(box), new Pose(3, 4.5, StrictMath.toRadians(200)))
+                .withController(WallFollowing.DEFAULT.withDistance(wanted))
+                .withTimeline(List.of(new TimedCommand(10, new Command.InjectFault(sensor, new Fault.Dead()))));
+        StringBuilder passed = new StringBuilder("w");
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            while (simulation.time() < 240 && simulation.collision().isEmpty()) {
+                simulation.tick();
+                char place = place(simulation.pose());
+                if (passed.charAt(passed.length() - 1) != place) {
+                    passed.append(place);
+                }
+            }
+            assertTrue(simulation.collision().isEmpty(), () -> "at " + simulation.time() + " s");
+        }
+        assertTrue(passed.indexOf("wne") >= 0 || passed.indexOf("wse") >= 0, passed::toString);
+    }
+
+    /** Returns the part of the room: north and south of the box, or west and east of it. */
+    private static char place(Pose pose) {
+        if (Math.abs(pose.x() - 6) <= 1) {
+            return pose.y() > WIDTH / 2 ? 'n' : 's';
+        }
+        return pose.x() < 6 ? 'w' : 'e';
     }
 
     /** The corners of the default robot are 0.16 m from its centre, which this distance keeps 0.2 m from the wall. */
