@@ -76,7 +76,11 @@ class ControllerJarTest {
     void aJarWithoutAControllerIsReported() throws IOException {
         Path empty = jar("empty.jar", "");
         useJar(empty);
-        assertEquals("empty.jar adds no controller", callOnEdt(dialog::help));
+        assertEquals(
+                "the jar " + empty + " has no controller, because its file META-INF/services/"
+                        + ControllerProvider.class.getName()
+                        + " names no class of one; expected the full name of the controller's class",
+                callOnEdt(dialog::help).replaceAll("\n", " "));
         assertEquals(COMMAND, callOnEdt(dialog::text));
     }
 
