@@ -5,6 +5,7 @@ public final class RecordEndedException extends IllegalStateException {
 
     private static final long serialVersionUID = 1L;
 
+    /** The number of ticks that the record covers. */
     private final long ticks;
 
     /**
