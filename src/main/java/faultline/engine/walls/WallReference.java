@@ -115,7 +115,8 @@ public final class WallReference {
             throw new PathTooLongException(distance, MAX_PLACES);
         }
         List<Vector2> circle = PlaceRow.circle(distance, spacing);
-        PlaceFinder finder = new PlaceFinder(tree(), distance, Double.POSITIVE_INFINITY, MAX_PLACES);
+        // Blocks without free places take no memory.
+        PlaceFinder finder = new PlaceFinder(tree(), distance, Double.POSITIVE_INFINITY, Integer.MAX_VALUE);
         for (int i = 0; i < walls().size(); i++) {
             ConvexShape wall = walls().shape(i);
             List<Ranked> free = new ArrayList<>();

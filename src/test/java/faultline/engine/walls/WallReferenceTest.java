@@ -13,6 +13,7 @@ import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -105,6 +106,24 @@ class WallReferenceTest {
                         + " m from the walls has too many places; expected at most 2000000",
                 refusal.getMessage());
         time.assertBelow(10);
+    }
+
+    /**
+     * 2000 parallel walls of 10 m lie within 0.2 m of each other. Only the first and the last have free places along
+     * them, 33 333 each. The others have more than 2 million blocks of 64 places that are all occupied.
+     */
+    @Test
+    void occupiedPlacesDoNotMakeAPathTooLong() {
+        List<Vector2> line = List.of(new Vector2(-5, 0), new Vector2(5, 0));
+        List<Obstacle> walls = IntStream.range(0, 2000)
+                .mapToObj(i -> new Obstacle("w" + i, new ObstacleShape.WallShape(line), new Pose(6, 1 + 1e-4 * i, 0)))
+                .toList();
+        WallReference pile = new WallReference(new WorldSpec(12, 3, false, 3, walls));
+        List<WallReference.WallSample> places = pile.samples(WANTED, 0.0003, 0);
+        double along = places.stream()
+                .mapToDouble(WallReference.WallSample::wallLength)
+                .sum();
+        assertEquals(2 * 10, along, 1e-3);
     }
 
     @Test
