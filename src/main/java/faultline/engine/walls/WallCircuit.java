@@ -26,6 +26,7 @@ public final class WallCircuit {
     private final CellNumbers lastInCell = new CellNumbers();
 
     private final int[] before;
+
     /** {@return a circuit without any path, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
