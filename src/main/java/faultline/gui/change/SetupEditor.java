@@ -159,6 +159,16 @@ public final class SetupEditor {
         }
     }
 
+    /**
+     * Drops the events later than a tick that change nothing any more. A new edit at the tick has dropped the redo that
+     * could give them an effect again.
+     */
+    public void dropEventsWithoutEffectAfter(long tick) {
+        eventIndex = null;
+        entries.subList(position, entries.size())
+                .removeIf(later -> later.tick() > tick && later.isEventWithoutEffectNow());
+    }
+
     /** Follows the run to another tick, where the commands for the next one have been executed. */
     public void moveTo(long tick) {
         moveTo(tick + 1, 0);

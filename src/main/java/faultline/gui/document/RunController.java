@@ -318,6 +318,14 @@ public final class RunController implements WorkspaceListener {
         workspace.openDocument().ifPresent(open -> open.document().noteUndo(undone, results));
     }
 
+    /**
+     * Drops the events later than a tick that change nothing any more, because a new edit at the tick has dropped the
+     * redo that could give them an effect again. The edited scenario remains the same.
+     */
+    public void dropEventsWithoutEffectAfter(long tick) {
+        workspace.openDocument().ifPresent(open -> open.document().dropEventsWithoutEffectAfter(tick));
+    }
+
     /** Returns the time of a tick of the run, seconds; 0 without a run. */
     public double timeOf(long tick) {
         return workspace

@@ -216,6 +216,11 @@ final class ScenarioDocument {
         editor.noteUndo(undone, results);
     }
 
+    /** Drops the events later than a tick that change nothing any more. The edited scenario remains the same. */
+    void dropEventsWithoutEffectAfter(long tick) {
+        editor.dropEventsWithoutEffectAfter(tick);
+    }
+
     /** Makes all events of the run commands of the timeline. The edited scenario remains the same. */
     void putEventsOnTimeline() {
         editor = editor.withEventsOnTimeline();

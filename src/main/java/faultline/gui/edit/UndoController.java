@@ -48,6 +48,7 @@ public final class UndoController {
     private BiConsumer<String, Boolean> scenarioListener = (name, redone) -> {};
     private BiConsumer<List<LaterChange>, Consumer<List<CommandResult>>> laterChanges = (changes, onExecuted) -> {};
     private BiConsumer<List<CommandResult>, List<CommandResult>> undoNotes = (undone, results) -> {};
+    private LongConsumer redoDrop = tick -> {};
     private StartChange startChange = (changes, redone, onChanged) -> {};
     private long advancedTo;
 
@@ -94,6 +95,7 @@ public final class UndoController {
         laterChanges = run::changeLater;
         startChange = run::changeStart;
         undoNotes = run::noteUndo;
+        redoDrop = run::dropEventsWithoutEffectAfter;
         requests.setRun(run);
         workspace.addListener(new RunFollower(run));
     }
@@ -117,9 +119,11 @@ public final class UndoController {
                 .toList();
         if (!effective.isEmpty()) {
             CommandEdit edit = new CommandEdit(gestureId, effective);
+            long tick = results.get(0).tick();
             if (history.add(edit)) {
-                history.addExecution(results.get(0).tick(), edit);
+                history.addExecution(tick, edit);
             }
+            redoDrop.accept(tick);
         }
     }
 

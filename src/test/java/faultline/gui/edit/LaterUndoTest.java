@@ -415,4 +415,52 @@ class LaterUndoTest {
         assertEquals(List.of(), run.timeline());
         assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
     }
+
+    @Test
+    void aNewEditDropsALaterSwitchWithoutEffect() {
+        run.planWithUndo(at(0.05, OFF), at(0.15, ON));
+        run.advanceTo(10);
+        run.send(ON);
+        run.advanceTo(30);
+        run.undo();
+        run.seek(5);
+        assertNothingReturnsWithAnotherPlan(at(0.06, OFF), at(0.2, ON));
+    }
+
+    @Test
+    void aNewEditDropsALaterSwitchWithoutEffectAndItsUndo() {
+        run.planWithUndo(at(0.05, OFF));
+        run.advanceTo(10);
+        run.send(ON);
+        run.advanceTo(20);
+        run.undo();
+        run.advanceTo(25);
+        run.undo();
+        run.seek(5);
+        assertNothingReturnsWithAnotherPlan(at(0.06, OFF));
+    }
+
+    /** Checks that after an edit at the present tick, the timeline has only that edit and another plan. */
+    private void assertNothingReturnsWithAnotherPlan(TimedCommand... other) {
+        run.send(new Command.SwitchSensor("left", false));
+        List<TimedCommand> edited = run.timeline();
+        assertEquals(1, edited.size());
+        run.planWithUndo(other);
+        List<TimedCommand> planned = new ArrayList<>(List.of(other));
+        planned.addAll(edited);
+        assertEquals(planned, run.timeline());
+        run.advanceTo(30);
+        assertEquals(planned, run.timeline());
+        assertSameRun();
+        run.undo();
+        assertEquals(edited, run.timeline());
+        run.redo();
+        run.restart();
+        assertEquals(planned, run.timeline());
+        run.undo();
+        assertEquals(edited, run.timeline());
+        run.undo();
+        assertEquals(List.of(), run.timeline());
+        assertEquals(Optional.empty(), callOnEdt(run.edits()::undoName));
+    }
 }
