@@ -93,7 +93,7 @@ public final class SensorActions {
 
     /** Removes a sensor; an undo of this selects it. */
     public void remove(String id) {
-        sensorEditor.remove(id, () -> tools.selectSensorWhenPresent(id));
+        sensorEditor.remove(id, tools::selectSensorWhenPresent);
     }
 
     /** Gives a sensor another id; returns why it is refused, empty if it is not. */

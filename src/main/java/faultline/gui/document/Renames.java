@@ -79,6 +79,12 @@ final class Renames {
         };
     }
 
+    /** Returns what gives a sensor with its present id the one that it has after the changes of ids to come. */
+    Supplier<String> followSensor(String id) {
+        int before = ofSensors.size();
+        return () -> renamed(id, ofSensors.subList(before, ofSensors.size()), Rename::rename);
+    }
+
     /**
      * Returns what a sensor is called in a list of the ids of a robot, given an id that it has, had before or will have
      * there: a session may have the ids from before a renaming. Of an id that several sensors had, the last one counts.

@@ -18,6 +18,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /**
@@ -259,6 +260,13 @@ public final class Workspace implements AutoCloseable {
      */
     public String presentId(String id, List<String> ids) {
         return document().map(now -> now.renames().presentId(id, ids)).orElse(id);
+    }
+
+    /**
+     * Returns what gives a sensor of the scenario with this id the one that it has after the changes of ids to come.
+     */
+    public Supplier<String> followSensor(String id) {
+        return document().map(now -> now.renames().followSensor(id)).orElse(() -> id);
     }
 
     /** Returns an earlier command of the timeline with the id that its sensor or obstacle has now, if it is there. */

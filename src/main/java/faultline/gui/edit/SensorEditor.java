@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * Adds, copies, renames and removes sensors of the scenario's robot, with undo. The run is simulated again with the
@@ -97,20 +98,28 @@ public final class SensorEditor {
 
     /**
      * Removes a sensor and the commands of the timeline about it, whose number is reported, as soon as the run has
-     * answered the edits that are being undone or redone: these are undone on the timeline afterwards.
-     * {@code onRestored} is called when the removal has been undone, before the run has the sensor again.
+     * answered the edits that are being undone or redone: these are undone on the timeline afterwards. The sensor may
+     * be renamed until then. {@code onRestored} is called with its id when the removal has been undone, before the run
+     * has the sensor again.
      */
-    public void remove(String id, Runnable onRestored) {
+    public void remove(String id, Consumer<String> onRestored) {
+        Supplier<String> present = workspace.followSensor(id);
         editor.editWhenAnswered(() -> workspace
                 .scenario()
-                .flatMap(scenario -> PlacedSensor.find(scenario, id))
-                .ifPresent(removed -> remove(removed, id, onRestored)));
+                .flatMap(scenario -> PlacedSensor.find(scenario, present.get()))
+                .ifPresent(removed -> remove(removed, onRestored)));
     }
 
-    private void remove(PlacedSensor removed, String id, Runnable onRestored) {
+    private void remove(PlacedSensor removed, Consumer<String> onRestored) {
+        String id = removed.sensor().id();
         // The undo of the deletion returns the sensor's events to the timeline, where they are undone then.
         editor.putEventsOnTimeline();
-        editor.edit(() -> Messages.get("edit.remove", id), removed, removed::removedFrom, removed::addedTo, onRestored);
+        editor.edit(
+                () -> Messages.get("edit.remove", id),
+                removed,
+                removed::removedFrom,
+                removed::addedTo,
+                () -> onRestored.accept(id));
         int commands = removed.commands().size();
         if (commands > 0) {
             notes.accept(Messages.get("note.sensorCommands", id, Integer.toString(commands)));

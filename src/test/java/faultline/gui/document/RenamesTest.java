@@ -42,6 +42,16 @@ class RenamesTest {
     }
 
     @Test
+    void aSensorIsFollowedAlthoughAnotherOneGetsItsId() {
+        renames.add(Rename.ofSensor("rear", "left"));
+        Supplier<String> left = renames.followSensor("left");
+        assertEquals("left", left.get());
+        renames.add(Rename.ofSensor("left", "port"));
+        renames.add(Rename.ofSensor("front", "left"));
+        assertEquals("port", left.get());
+    }
+
+    @Test
     void theRunHasEarlierIdsOfObstaclesUntilItIsReplayed() {
         renames.add(TO_OAK);
         assertEquals(remove("oak"), renames.ofRun(remove("tree"), SENSORS));

@@ -178,7 +178,7 @@ public final class EditedRun {
     }
 
     void removeSensor(String id) {
-        runOnEdt(() -> sensors.remove(id, () -> {}));
+        runOnEdt(() -> sensors.remove(id, restored -> {}));
         rest();
     }
 

@@ -98,7 +98,7 @@ class SensorEditorTest {
     }
 
     private void remove(String id) {
-        runOnEdt(() -> sensors.remove(id, () -> restored.add(id)));
+        runOnEdt(() -> sensors.remove(id, restored::add));
         edited.rest();
     }
 
@@ -201,7 +201,7 @@ class SensorEditorTest {
         SensorSpec farther = original.robot().sensor("left").orElseThrow().withRange(1.5);
         runOnEdt(() -> {
             sender.send(List.of(FAULT, new Command.ConfigureSensor(farther)));
-            sensors.remove("left", () -> {});
+            sensors.remove("left", restored -> {});
         });
         edited.rest();
         Await.until("the results of the commands", () -> edits.undoName().equals(Optional.of("2 changes")));

@@ -11,6 +11,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.document.SessionFrames;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -93,7 +94,7 @@ class WaitingUndoTest {
         run.send(FAULT);
         runOnEdt(() -> {
             run.edits().undo();
-            run.sensors().remove("left", () -> {});
+            run.sensors().remove("left", restored -> {});
             assertTrue(run.edits().canUndo());
             assertEquals(Optional.empty(), run.edits().undoName(), "it is not known yet");
         });
@@ -110,11 +111,31 @@ class WaitingUndoTest {
         run.send(FAULT);
         runOnEdt(() -> {
             run.edits().undo();
-            run.sensors().remove("left", () -> {});
+            run.sensors().remove("left", restored -> {});
             run.edits().undo();
         });
         run.rest();
         assertEquals(Optional.of("Delete left"), callOnEdt(run.edits()::redoName));
+        assertEquals(before, run.timeline());
+    }
+
+    @Test
+    void aSensorIsDeletedAlthoughItIsRenamedBefore() {
+        List<String> ids = run.scenario().setup().robot().sensorIds();
+        List<String> restored = new ArrayList<>();
+        run.send(FAULT);
+        runOnEdt(() -> {
+            run.edits().undo();
+            run.sensors().remove("left", restored::add);
+            run.sensors().rename("left", "port");
+        });
+        run.rest();
+        assertEquals(ids.size() - 1, run.scenario().setup().robot().sensorIds().size());
+        assertEquals(Optional.of("Delete port"), callOnEdt(run.edits()::undoName));
+        run.undo();
+        assertEquals(List.of("port"), restored);
+        run.undo();
+        assertEquals(ids, run.scenario().setup().robot().sensorIds());
         assertEquals(before, run.timeline());
     }
 

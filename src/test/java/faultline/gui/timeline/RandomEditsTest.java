@@ -296,7 +296,7 @@ class RandomEditsTest {
         } else if (random.nextBoolean()) {
             sensors.rename(ids.get(random.nextInt(ids.size())), "sensor " + random.nextInt(20));
         } else {
-            sensors.remove(ids.get(random.nextInt(ids.size())), () -> {});
+            sensors.remove(ids.get(random.nextInt(ids.size())), restored -> {});
         }
     }
 
