@@ -197,23 +197,24 @@ public final class ControllerProviders {
 
     private static ControllerProvider load(ServiceLoader.Provider<ControllerProvider> type, double timeout) {
         String className = type.type().getName();
-        int modifiers = type.type().getModifiers();
-        if (Modifier.isAbstract(modifiers)) {
-            throw new RunFailedException(RunProblem.ABSTRACT_CLASS.with(className), null);
-        }
         try {
             return ControllerThread.call(timeout, type::get);
         } catch (ExecutionException e) {
-            Throwable error = e.getCause();
-            throw new RunFailedException(
-                    error.getCause() instanceof IllegalAccessException && !Modifier.isPublic(modifiers)
-                            ? RunProblem.NO_CONSTRUCTOR.with(className)
-                            : RunProblem.NOT_LOADED.with(reason(error)),
-                    error);
+            throw new RunFailedException(notCreated(type.type(), e.getCause()), e.getCause());
         } catch (TimeoutException e) {
             String silence = ControllerThread.silence("the constructor of " + className, timeout);
             throw new RunFailedException(RunProblem.NOT_LOADED.with(silence), e);
         }
+    }
+
+    private static Message notCreated(Class<?> type, Throwable error) {
+        if (error.getCause() instanceof InstantiationException && Modifier.isAbstract(type.getModifiers())) {
+            return RunProblem.ABSTRACT_CLASS.with(type.getName());
+        }
+        if (error.getCause() instanceof IllegalAccessException && !Modifier.isPublic(type.getModifiers())) {
+            return RunProblem.NO_CONSTRUCTOR.with(type.getName());
+        }
+        return RunProblem.NOT_LOADED.with(reason(error));
     }
 
     /** Returns the message of an error, with the exception of the provider's class or constructor that caused it. */
