@@ -74,6 +74,8 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     private final DriveTelemetry telemetry;
     private RobotSpec knownRobot;
     private Simulation simulation;
+    /** The tick of the last observation, or -1 before the first. */
+    private long lastTick = -1;
 
     /**
      * Starts a child and waits until it is ready.
@@ -153,6 +155,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     public Decision decide(Observation observation) {
         boolean robotChanged = !observation.robot().equals(knownRobot);
         knownRobot = observation.robot();
+        lastTick = observation.tick();
         JsonWriter json = ProtocolMessages.observe(observation, robotChanged);
         if (givesTruth && simulation != null) {
             ProtocolMessages.writeTruth(json, simulation);
@@ -213,12 +216,12 @@ public final class ExternalController implements Controller, TickObserver, AutoC
 
     /**
      * Informs the child that the run has ended, and closes it. What the child does after the end has no effect, unless
-     * it has answered more often than it was asked.
+     * it answers the last observation again. An answer to the end has another tick or none.
      *
      * @param reason the reason for the end, such as {@code duration}
      * @param trajectoryHash the trajectory hash of the whole run
      * @param summary the lines of the run's summary
-     * @throws RunFailedException if there is a further answer
+     * @throws RunFailedException if there is a further answer to the last observation
      */
     public void finish(String reason, String trajectoryHash, Map<String, String> summary) {
         try {
@@ -227,15 +230,16 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         } catch (ProtocolException gone) {
             // A child that has already ended needs no message.
         }
-        if (child.closeAndFind(ExternalController::isAnswer)) {
+        if (child.closeAndFind(this::isLastAnswer)) {
             ProtocolException extra = new ProtocolException(ControllerProblem.EXTRA_ANSWER);
             throw new RunFailedException(extra.sentence(who, ""), extra);
         }
     }
 
-    private static boolean isAnswer(String line) {
+    private boolean isLastAnswer(String line) {
         try {
-            return MessageReader.of(line).string("type").equals("drive");
+            MessageReader message = MessageReader.of(line);
+            return message.string("type").equals("drive") && message.whole("tick") == lastTick;
         } catch (ProtocolException other) {
             return false;
         }

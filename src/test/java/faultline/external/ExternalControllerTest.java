@@ -34,6 +34,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Good children give the trajectories of the built-in controller; bad ones end the run in one sentence. */
 @EnabledOnOs(
@@ -156,7 +157,7 @@ class ExternalControllerTest {
     void aSecondAnswerToTheLastObservationIsFoundAtTheEnd() throws Exception {
         String ready = "read l; echo '" + READY + "'; read l; " + drive("0") + " ";
         SimulationSetup setup = office().withDuration(0.01);
-        for (String extra : List.of(drive("0"), "read l; sleep 0.5; " + drive("1"))) {
+        for (String extra : List.of(drive("0"), "read l; sleep 0.5; " + drive("0"))) {
             String command = shell(ready + extra);
             RunFailedException e = assertThrows(RunFailedException.class, () -> run(command, setup, LONG));
             assertEquals(
@@ -170,6 +171,15 @@ class ExternalControllerTest {
                 run(shell(ready + "echo the end; echo more; printf '{\"type\":\"drive'"), setup, LONG)
                         .ticks());
         assertEquals(List.of(), childrenStillRunning());
+    }
+
+    /** A child may answer each line, also the end, which has no tick. */
+    @ParameterizedTest
+    @ValueSource(strings = {",\"tick\":0", ",\"tick\":2", ""})
+    void anAnswerToTheEndIsIgnored(String tick) throws Exception {
+        String child = "read l; echo '" + READY + "'; read l; " + drive("0") + " read l; " + drive("1")
+                + " read l; echo '{\"type\":\"drive\"" + tick + ",\"left_v\":1,\"right_v\":1}'";
+        assertEquals(2, run(shell(child), office().withDuration(0.02), LONG).ticks());
     }
 
     @Test
