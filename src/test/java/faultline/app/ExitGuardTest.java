@@ -37,6 +37,9 @@ class ExitGuardTest {
     /** The variable with which the controllers end the process when they are asked for their name. */
     private static final String NAMELESS = "FAULTLINE_TEST_NAMELESS";
 
+    /** The variable with which the controllers leave a thread that does not end. */
+    private static final String LEAVES_THREAD = "FAULTLINE_TEST_LEAVES_THREAD";
+
     private static final Path YARD = Path.of("scenarios/yard.xml");
 
     @TempDir
@@ -55,8 +58,11 @@ class ExitGuardTest {
 
         @Override
         public Controller create(Map<String, String> settings) {
-            if (settings.containsKey("leaves-thread")) {
-                new Thread(LockSupport::park).start();
+            if (System.getenv().containsKey(LEAVES_THREAD)) {
+                Thread left = new Thread(LockSupport::park);
+                // A thread inherits this from the one that calls create, which is a daemon.
+                left.setDaemon(false);
+                left.start();
             }
             return observation -> {
                 if (settings.containsKey("err")) {
@@ -164,22 +170,27 @@ class ExitGuardTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"run", "check", "serve"})
+    @ValueSource(strings = {"run FILE", "compare FILE --controller none --controller quitter --out PAGE"})
     void aThreadThatAControllerLeavesDoesNotPreventTheEnd(String command) throws Exception {
         Path file = Files.writeString(
-                folder.resolve("quit.xml"),
+                folder.resolve("left.xml"),
                 Files.readString(YARD)
-                        .replace(
-                                "<expect",
-                                "<controller type='quitter'><setting name='leaves-thread' value='1'/></controller>"
-                                        + "<expect")
-                        .replaceAll("<expect[^>]*/>", ""));
-        Process process = builder("faultline.app.Main", command, file.toString())
-                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .start();
-        process.getOutputStream().close();
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process ends");
-        assertEquals(ExitCode.SUCCESS, process.exitValue());
+                        .replace("duration=\"120\"", "duration=\"0.05\"")
+                        .replaceAll("<expect[^>]*/>", "<controller type='quitter'/>"));
+        String[] arguments = command.replace("FILE", file.toString())
+                .replace("PAGE", folder.resolve("page.html").toString())
+                .split(" ");
+        ProcessBuilder builder =
+                builder("faultline.app.Main", arguments).redirectOutput(ProcessBuilder.Redirect.DISCARD);
+        builder.command().add(1, "-Djava.awt.headless=true");
+        builder.environment().put(LEAVES_THREAD, "1");
+        Process process = builder.start();
+        try {
+            assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process ends");
+            assertEquals(ExitCode.SUCCESS, process.exitValue());
+        } finally {
+            process.destroyForcibly();
+        }
     }
 
     @Test
