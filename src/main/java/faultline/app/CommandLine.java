@@ -64,7 +64,7 @@ final class CommandLine {
         this.output = output;
     }
 
-    /** Returns whether a command, given the arguments of the process, may open a window. */
+    /** Returns whether a command, given the arguments of the process, may open a window if there is a display. */
     static boolean mayOpenWindow(String... args) {
         return args.length == 0
                 || WINDOW_COMMANDS.contains(args[0])

@@ -40,7 +40,7 @@ public final class Main {
 
     /**
      * Runs one command as described by {@code --help}. The process ends with the command's exit code, even if a
-     * controller in Java has left a thread; if a window was opened, it continues until that is closed.
+     * controller in Java has left a thread. If the command opened a window, the process continues until that is closed.
      */
     public static void main(String[] args) {
         if (paintsWithoutWindow(args)) {
@@ -50,7 +50,9 @@ public final class Main {
         System.setOut(printsOfControllers(output.err()));
         System.setErr(printsOfControllers(output.err()));
         int code = new CommandLine(output).run(args);
-        if (code != ExitCode.SUCCESS || !CommandLine.mayOpenWindow(args)) {
+        boolean windowOpened =
+                code == ExitCode.SUCCESS && CommandLine.mayOpenWindow(args) && WindowCommand.hasDisplay();
+        if (!windowOpened) {
             System.exit(code);
         }
     }

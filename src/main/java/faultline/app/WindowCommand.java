@@ -200,7 +200,7 @@ final class WindowCommand {
      * Returns whether there is a display. One that is configured but does not answer fails only when its screens are
      * listed.
      */
-    private static boolean hasDisplay() {
+    static boolean hasDisplay() {
         try {
             return !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;

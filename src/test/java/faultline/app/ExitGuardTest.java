@@ -169,8 +169,9 @@ class ExitGuardTest {
         assertEquals(ExitCode.RUN_FAILED, process.waitFor());
     }
 
+    /** Without a display, a file alone is run, too. */
     @ParameterizedTest
-    @ValueSource(strings = {"run FILE", "compare FILE --controller none --controller quitter --out PAGE"})
+    @ValueSource(strings = {"run FILE", "compare FILE --controller none --controller quitter --out PAGE", "FILE"})
     void aThreadThatAControllerLeavesDoesNotPreventTheEnd(String command) throws Exception {
         Path file = Files.writeString(
                 folder.resolve("left.xml"),
