@@ -34,6 +34,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(120)
 class PythonClientTest {
 
+    /** Python code that replaces the packages that the environment needs by empty ones. */
+    private static final String WITHOUT_PACKAGES =
+            """
+            import sys, types
+            for name in ("gymnasium", "numpy"):
+                sys.modules[name] = types.ModuleType(name)
+            sys.modules["gymnasium"].Env = object
+            sys.modules["gymnasium"].register = lambda *name, **entry: None
+            """;
+
     private static final Path EXAMPLES = Path.of("docs/examples/python");
 
     private record Output(int code, String text) {}
@@ -410,13 +420,9 @@ class PythonClientTest {
     void theGymnasiumEnvironmentNeedsAResetFirstAndEndsWithItsObject() throws Exception {
         Output output = python(
                 "-c",
-                """
-                import sys, types
+                WITHOUT_PACKAGES
+                        + """
                 from types import SimpleNamespace
-                for name in ("gymnasium", "numpy"):
-                    sys.modules[name] = types.ModuleType(name)
-                sys.modules["gymnasium"].Env = object
-                sys.modules["gymnasium"].register = lambda *name, **entry: None
                 sys.modules["gymnasium"].spaces = SimpleNamespace(Box=lambda *bounds: None)
                 sys.modules["numpy"].float32 = float
                 sys.modules["numpy"].clip = lambda action, least, most: action
@@ -435,7 +441,6 @@ class PythonClientTest {
         assertEquals("there is no episode yet; reset begins one\n0\n0\n", output.text());
     }
 
-    /** The packages that the environment needs are replaced by empty ones. */
     @Test
     void theGymnasiumEnvironmentRefusesARobotWithoutALeftSensor(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("eye.xml");
@@ -449,12 +454,8 @@ class PythonClientTest {
                 """);
         Output output = python(
                 "-c",
-                """
-                import sys, types
-                for name in ("gymnasium", "numpy"):
-                    sys.modules[name] = types.ModuleType(name)
-                sys.modules["gymnasium"].Env = object
-                sys.modules["gymnasium"].register = lambda *name, **entry: None
+                WITHOUT_PACKAGES
+                        + """
                 import faultline_gym
                 try:
                     faultline_gym.WallFollowingEnv(sys.argv[1])
