@@ -8,10 +8,8 @@ import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -37,13 +35,11 @@ public final class SetupEditor {
     /** The obstacles before the commands. */
     private final EditedObstacles baseObstacles;
 
-    private final List<ExecutedChange> entries = new ArrayList<>();
+    private final ExecutedChanges entries;
     /** What a command restores that undoes the last command with this inverse that has not been undone. */
     private final Map<UndoCommand, Reversal> reversals = new HashMap<>();
     /** The same for edits that are part of the base, whose ticks are those of an earlier run. */
     private final Map<UndoCommand, Reversal> baseReversals;
-    /** The number of entries that the run has executed. */
-    private int position;
     /**
      * The latest tick of the events that changes of the setup have removed from the entries; another may restore them.
      */
@@ -52,15 +48,13 @@ public final class SetupEditor {
     /** The sensors that changes of the setup have removed in this run. */
     private RemovedSensors removedSensors = new RemovedSensors();
 
-    /** Null if the entries have changed since it was made. */
-    private EventIndex eventIndex;
-
     private EditedSetup edited;
 
     public SetupEditor(SimulationSetup setup) {
         this.base = setup;
         this.baseObstacles = new EditedObstacles(setup);
         this.baseReversals = Map.of();
+        this.entries = new ExecutedChanges();
         reset();
     }
 
@@ -94,6 +88,7 @@ public final class SetupEditor {
         this.base = lacking.isEmpty() ? setup : setup.withTimeline(timeline);
         this.baseObstacles = new EditedObstacles(base, hidden, before);
         this.baseReversals = Map.copyOf(reversals);
+        this.entries = new ExecutedChanges();
         reset();
     }
 
@@ -101,6 +96,7 @@ public final class SetupEditor {
         this.base = other.base;
         this.baseObstacles = other.baseObstacles;
         this.baseReversals = other.baseReversals;
+        this.entries = new ExecutedChanges();
         this.edited = other.edited.copy();
         this.removedSensors = other.removedSensors;
         this.lastRemovedEvent = other.lastRemovedEvent;
@@ -113,17 +109,20 @@ public final class SetupEditor {
         this.baseReversals = new HashMap<>();
         other.baseReversals.forEach(
                 (undo, reversal) -> baseReversals.put(undo.renamed(rename), reversal.renamed(rename)));
-        this.position = other.position;
         this.removedSensors = other.removedSensors.renamed(rename);
         this.lastRemovedEvent = other.lastRemovedEvent;
-        other.entries.stream().map(entry -> entry.renamed(rename)).forEach(entries::add);
-        reset();
-        entries.forEach(entry -> apply(entry.change()));
+        this.entries = other.entries.renamed(rename);
+        replay();
     }
 
     private void reset() {
         edited = new EditedSetup(base, baseObstacles);
         reversals.clear();
+    }
+
+    private void replay() {
+        reset();
+        entries.all().forEach(entry -> apply(entry.change()));
     }
 
     /**
@@ -143,19 +142,10 @@ public final class SetupEditor {
         if (!SensorReference.isOn(edited.robot(), change.command())) {
             return;
         }
-        eventIndex = null;
-        moveTo(tick - 1, position);
-        boolean last = position == entries.size();
-        entries.subList(position, entries.size())
-                .removeIf(
-                        later -> !later.isEventWithoutEffectNow() && (executed != null || later.isWithoutRun(change)));
-        entries.add(position, new ExecutedChange(tick, change, executed));
-        position++;
-        if (last) {
+        if (entries.execute(new ExecutedChange(tick, change, executed))) {
             apply(change);
         } else {
-            reset();
-            entries.forEach(entry -> apply(entry.change()));
+            replay();
         }
     }
 
@@ -164,27 +154,18 @@ public final class SetupEditor {
      * could give them an effect again.
      */
     public void dropEventsWithoutEffectAfter(long tick) {
-        eventIndex = null;
-        entries.subList(position, entries.size())
-                .removeIf(later -> later.tick() > tick && later.isEventWithoutEffectNow());
+        entries.dropEventsWithoutEffectAfter(tick);
     }
 
     /** Follows the run to another tick, where the commands for the next one have been executed. */
     public void moveTo(long tick) {
-        moveTo(tick + 1, 0);
-    }
-
-    private void moveTo(long tick, int from) {
-        position = from;
-        while (position < entries.size() && entries.get(position).tick() <= tick) {
-            position++;
-        }
+        entries.moveTo(tick + 1);
     }
 
     /** Returns whether the setup has been changed before the first tick, and no command is later. */
     public boolean changesSetupAtStart() {
-        return entries.stream().allMatch(entry -> entry.tick() <= 1 || entry.isEventWithoutEffectNow())
-                && entries.stream().anyMatch(entry -> !entry.isEvent() && !isHidden(entry));
+        return entries.all().stream().allMatch(entry -> entry.tick() <= 1 || entry.isEventWithoutEffectNow())
+                && entries.all().stream().anyMatch(entry -> !entry.isEvent() && !isHidden(entry));
     }
 
     /** Returns whether the sensor of a change has been removed, so that the run does not execute the change. */
@@ -203,12 +184,8 @@ public final class SetupEditor {
      */
     public List<TimedCommand> timeline() {
         List<TimedCommand> result = new ArrayList<>(edited.obstacles().timeline());
-        events().forEach(event -> result.add(timedCommand(event)));
+        entries.events().forEach(event -> result.add(timedCommand(event)));
         return result;
-    }
-
-    private List<CommandResult> events() {
-        return TimelineEvents.in(entries.stream().map(ExecutedChange::change).toList());
     }
 
     private TimedCommand timedCommand(CommandResult event) {
@@ -244,7 +221,7 @@ public final class SetupEditor {
         SetupEditor earlier = new SetupEditor(this);
         earlier.reset();
         // These undo each other, except for those about a sensor that has been deleted and restored in between.
-        entries.subList(0, position).forEach(entry -> earlier.apply(entry.change()));
+        entries.executed().forEach(entry -> earlier.apply(entry.change()));
         earlier.reversals.clear();
         Map<UndoCommand, Reversal> undone = new HashMap<>(baseReversals);
         // The command that redoes an edit may be the same as one that undoes another.
@@ -253,11 +230,7 @@ public final class SetupEditor {
                 .forEach(change -> earlier.apply(change, redone ? earlier.reversals : undone));
         SetupEditor result = redone ? earlier.restarted(earlier.setup()) : earlier.restarted(earlier.setup(), undone);
         result.lastRemovedEvent = lastRemovedEvent;
-        for (int i = 0; i < entries.size(); i++) {
-            if (entries.get(i).isEvent()) {
-                result.add(entries.get(i), i < position);
-            }
-        }
+        result.entries.addFrom(entries, ExecutedChange::isEvent);
         return result;
     }
 
@@ -271,7 +244,7 @@ public final class SetupEditor {
         List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().withoutEdits(newSetup.timeline()));
         Set<CommandResult> events = takeEvents(timeline);
         SetupEditor result = rebased(newSetup, timeline, events).withLaterEventsOnTimeline();
-        result.lastRemovedEvent = events().stream()
+        result.lastRemovedEvent = entries.events().stream()
                 .filter(event -> !events.contains(event))
                 .mapToLong(CommandResult::tick)
                 .reduce(lastRemovedEvent, Math::max);
@@ -280,8 +253,7 @@ public final class SetupEditor {
 
     /** Returns whether an event of the run is, or was before a change of the setup, later than a tick. */
     public boolean hasEventsAfter(long tick) {
-        return lastRemovedEvent > tick
-                || Stream.concat(events().stream(), eventsWithoutEffectNow()).anyMatch(event -> event.tick() > tick);
+        return lastRemovedEvent > tick || entries.hasEventsAfter(tick);
     }
 
     /**
@@ -289,7 +261,7 @@ public final class SetupEditor {
      * that change nothing any more: these stay in the run.
      */
     public SetupEditor withEventsOnTimeline() {
-        return withEventsOnTimeline(0);
+        return withEventsOnTimeline(List.of());
     }
 
     /**
@@ -297,27 +269,22 @@ public final class SetupEditor {
      * have an effect again must not be lost by an edit at an earlier tick.
      */
     private SetupEditor withLaterEventsOnTimeline() {
-        return entries.subList(position, entries.size()).stream()
+        return entries.later().stream()
                         .anyMatch(entry -> entry.isEvent() && !entry.change().isNoOp())
-                ? withEventsOnTimeline(position)
+                ? withEventsOnTimeline(entries.executed())
                 : this;
     }
 
-    /** Returns an editor in which the events of the entries from an index on are commands of the timeline. */
-    private SetupEditor withEventsOnTimeline(int from) {
-        Set<CommandResult> kept = Collections.newSetFromMap(new IdentityHashMap<>());
-        eventsWithoutEffectNow().forEach(kept::add);
-        entries.subList(0, from).forEach(entry -> kept.add(entry.change()));
+    /** Returns an editor in which the events of all but some entries are commands of the timeline. */
+    private SetupEditor withEventsOnTimeline(List<ExecutedChange> others) {
+        Set<CommandResult> kept = entries.eventsWithoutEffectNow();
+        others.forEach(entry -> kept.add(entry.change()));
         List<TimedCommand> timeline = new ArrayList<>(edited.obstacles().timeline());
-        events().stream()
+        entries.events().stream()
                 .filter(event -> !kept.contains(event))
                 .map(this::timedCommand)
                 .forEach(timeline::add);
         return rebased(base, edited.obstacles().withoutEdits(timeline), kept);
-    }
-
-    private Stream<CommandResult> eventsWithoutEffectNow() {
-        return entries.stream().filter(ExecutedChange::isEventWithoutEffectNow).map(ExecutedChange::change);
     }
 
     /** Returns an editor of another setup and timeline, with the executed commands and some of the events. */
@@ -330,32 +297,22 @@ public final class SetupEditor {
                 baseReversals);
         result.removedSensors = removedSensors.after(base.robot(), edited.robot(), robot);
         Set<Command> reversalsOfOmitted = new HashSet<>();
-        for (int i = 0; i < entries.size(); i++) {
-            CommandResult change = entries.get(i).change();
+        result.entries.addFrom(entries, entry -> {
+            CommandResult change = entry.change();
             if (removedSensors.isReplaced(change.command(), robot)) {
-                continue;
+                return false;
             }
-            if (result.isHidden(entries.get(i)) && !entries.get(i).isEvent()) {
-                result.add(entries.get(i), i < position);
-            } else if (!result.edited.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
+            if (result.isHidden(entry) && !entry.isEvent()) {
+                return true;
+            }
+            if (!result.edited.hasSubjectOf(change) || reversalsOfOmitted.remove(change.command())) {
                 reversalsOfOmitted.addAll(change.inverse());
-            } else if (events.contains(change) || result.apply(change)) {
-                result.add(entries.get(i), i < position);
+                return false;
             }
-        }
-        result.updateEvents();
+            return events.contains(change) || result.apply(change);
+        });
+        result.entries.updateEvents(result.base);
         return result;
-    }
-
-    private void add(ExecutedChange entry, boolean passed) {
-        entries.add(entry);
-        position += passed ? 1 : 0;
-    }
-
-    /** Determines what undoes the events in a run with the present timeline. */
-    private void updateEvents() {
-        EventStates states = new EventStates(base);
-        entries.replaceAll(entry -> entry.isEvent() ? states.execute(entry) : entry);
     }
 
     /**
@@ -363,15 +320,12 @@ public final class SetupEditor {
      * that these have no effect any more, the undo has none either.
      */
     public void noteUndo(List<CommandResult> undone, List<CommandResult> results) {
-        EventIndex.linkUndo(entries, undone, results);
+        entries.linkUndo(undone, results);
     }
 
     /** Returns the result of an event that the run has executed, with what undoes it in the present run. */
     public CommandResult presentResult(CommandResult event) {
-        if (eventIndex == null) {
-            eventIndex = new EventIndex(entries);
-        }
-        return eventIndex.present(event);
+        return entries.presentResult(event);
     }
 
     /**
@@ -379,9 +333,8 @@ public final class SetupEditor {
      * any more and are on no timeline: another change may give them an effect again.
      */
     private Set<CommandResult> takeEvents(List<TimedCommand> timeline) {
-        Set<CommandResult> taken = Collections.newSetFromMap(new IdentityHashMap<>());
-        eventsWithoutEffectNow().forEach(taken::add);
-        for (CommandResult event : events()) {
+        Set<CommandResult> taken = entries.eventsWithoutEffectNow();
+        for (CommandResult event : entries.events()) {
             int index = timeline.lastIndexOf(timedCommand(event));
             if (index >= 0) {
                 timeline.remove(index);
@@ -401,7 +354,7 @@ public final class SetupEditor {
      * ones and those that undo what has no effect any more.
      */
     public List<Journal.Entry> entries() {
-        return entries.stream()
+        return entries.all().stream()
                 .filter(entry -> !isHidden(entry) && !entry.isUndoWithoutEffectNow())
                 .flatMap(entry -> Stream.ofNullable(entry.executed()))
                 .map(result -> new Journal.Entry(result.tick(), result.command()))
