@@ -85,7 +85,8 @@ final class EditedObstacles {
         take(other);
     }
 
-    private void take(EditedObstacles other) {
+    /** Replaces the obstacles by others with the same origins. */
+    void take(EditedObstacles other) {
         obstacles.clear();
         obstacles.putAll(other.obstacles);
         removed.clear();

@@ -50,6 +50,11 @@ public final class EditedSetup {
         return obstacles;
     }
 
+    /** Replaces the obstacles by those of a setup with the same obstacles before its edits. */
+    void takeObstacles(EditedSetup other) {
+        obstacles.take(other.obstacles);
+    }
+
     RobotSpec robot() {
         return robot;
     }

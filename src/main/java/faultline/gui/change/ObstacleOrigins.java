@@ -119,6 +119,20 @@ public final class ObstacleOrigins {
                 .collect(Collectors.toSet());
     }
 
+    /** Returns whether two setups have the same obstacles at all times, so that their origins are the same, too. */
+    static boolean areEqual(SimulationSetup setup, SimulationSetup other) {
+        return setup.dt() == other.dt()
+                && setup.world().equals(other.world())
+                && commands(setup).equals(commands(other));
+    }
+
+    /** Returns the commands of a timeline that are about obstacles. */
+    private static List<TimedCommand> commands(SimulationSetup setup) {
+        return setup.timeline().stream()
+                .filter(timed -> subject(timed.command()).isPresent())
+                .toList();
+    }
+
     /** Returns the origin of the obstacle that a command from outside is about, which is executed at a tick. */
     Origin at(long tick, String id) {
         return last(new ExecutionPoint(tick, Integer.MAX_VALUE), id);

@@ -296,9 +296,16 @@ public final class SetupEditor {
                 baseObstacles,
                 baseReversals);
         result.removedSensors = removedSensors.after(base.robot(), edited.robot(), robot);
+        boolean sameObstacles = ObstacleOrigins.areEqual(base, result.base);
+        if (sameObstacles) {
+            result.takeObstacles(this);
+        }
         Set<Command> reversalsOfOmitted = new HashSet<>();
         result.entries.addFrom(entries, entry -> {
             CommandResult change = entry.change();
+            if (sameObstacles && ObstacleOrigins.subject(change.command()).isPresent()) {
+                return true;
+            }
             if (removedSensors.isReplaced(change.command(), robot)) {
                 return false;
             }
@@ -313,6 +320,16 @@ public final class SetupEditor {
         });
         result.entries.updateEvents(result.base);
         return result;
+    }
+
+    /** Takes the edited obstacles, of which there may be many edits, and what undoes these edits. */
+    private void takeObstacles(SetupEditor other) {
+        edited.takeObstacles(other.edited);
+        other.reversals.forEach((undo, reversal) -> {
+            if (undo.origin() != null) {
+                reversals.put(undo, reversal);
+            }
+        });
     }
 
     /**
