@@ -41,7 +41,7 @@ public final class TimelineEvents {
      */
     public static List<CommandResult> in(List<CommandResult> executed) {
         List<CommandResult> events = executed.stream()
-                .filter(result -> !result.isNoOp() && isEvent(result.command()))
+                .filter(result -> isEvent(result.command()) && !result.isNoOp())
                 .toList();
         Map<List<Object>, List<CommandResult>> ofOneTick = events.stream()
                 .collect(Collectors.groupingBy(event -> List.of(event.tick(), EventEffects.subject(event.command()))));
