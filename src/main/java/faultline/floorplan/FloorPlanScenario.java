@@ -11,6 +11,7 @@ import faultline.world.Clearance;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
+import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -53,15 +54,19 @@ public final class FloorPlanScenario {
             return scenario.get();
         }
         RobotSpec robot = RobotSpec.DEFAULT;
-        MapFrame frame = frame(plan);
+        BigDecimal cell = plan.description().resolution();
         throw new FloorPlanException(
                 plan.description().image(),
                 FloorPlanProblem.NO_ROOM.with(
                         DecimalText.format(robot.length()),
                         DecimalText.format(robot.width()),
-                        DecimalText.formatRounded(frame.width()),
-                        DecimalText.formatRounded(frame.height()),
+                        metres(plan.grid().width(), cell),
+                        metres(plan.grid().height(), cell),
                         settings));
+    }
+
+    private static String metres(int cells, BigDecimal cell) {
+        return DecimalText.formatRounded(cell.doubleValue() * cells);
     }
 
     private static Optional<Scenario> create(String name, FloorPlan plan, boolean unknownIsFree) {

@@ -111,13 +111,15 @@ class FloorPlanScenarioTest {
     void aMapWithoutRoomForTheRobotIsRefusedWithASentence() throws FloorPlanException {
         CellState[] cells = new CellState[40 * 30];
         Arrays.setAll(cells, i -> (i + i / 40) % 2 == 0 ? CellState.FREE : CellState.OCCUPIED);
-        FloorPlan plan = trace(40, 30, 0, cells);
-        FloorPlanException problem =
-                assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan, "--start"));
-        assertEquals(
-                "none.pgm: the robot, 0.25 m long and 0.2 m wide, has no room in the free space"
-                        + " of this map of 2 x 1.5 m; what may help: --start",
-                problem.getMessage());
+        for (double yaw : new double[] {0, 0.5}) {
+            FloorPlan plan = trace(40, 30, yaw, cells);
+            FloorPlanException problem =
+                    assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan, "--start"));
+            assertEquals(
+                    "none.pgm: the robot, 0.25 m long and 0.2 m wide, has no room in the free space"
+                            + " of this map of 2 x 1.5 m; what may help: --start",
+                    problem.getMessage());
+        }
     }
 
     /** About the middle of a cell, the robot would touch a wall in its first turn. */
