@@ -35,6 +35,12 @@ final class ChildOutput {
         return lines.next();
     }
 
+    /** Returns whether a complete line has arrived. */
+    boolean hasLine() throws IOException {
+        fill();
+        return lines.hasLine();
+    }
+
     /** Reads the bytes that have arrived. Returns false if there are none. */
     boolean fill() throws IOException {
         if (read != null) {

@@ -249,6 +249,11 @@ final class ChildProcess implements AutoCloseable {
         }
     }
 
+    /** Returns whether a line has arrived that {@link #receive} would return at once. */
+    boolean hasLine() throws IOException {
+        return output.hasLine();
+    }
+
     private void awaitOutput(ResponseTimeout timeout, double seconds) throws IOException, ProtocolException {
         double waited = timeout.waited();
         if (waited < SPIN) {

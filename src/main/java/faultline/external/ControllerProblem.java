@@ -83,6 +83,8 @@ public enum ControllerProblem implements Message.Template {
     TYPE("{0} wrote a message{1} of type {2}; expected \"{3}\""),
     /** An answer for another tick. */
     TICK("{0} answered tick {2}{1}; expected the tick of the observation"),
+    /** An answer to an observation that has not been sent. */
+    EARLY_ANSWER("{0} answered{1} before the observation was sent; expected an answer to each observation"),
     /** An answer that was not asked for. */
     EXTRA_ANSWER("{0} answered more often than it was asked{1}; expected one answer for each observation"),
     /** A line that is too long. */

@@ -161,10 +161,16 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             ProtocolMessages.writeTruth(json, simulation);
         }
         try {
-            child.send(json.finish());
+            boolean early = child.hasLine();
+            if (!early) {
+                child.send(json.finish());
+            }
             MessageReader drive = receive("drive", timeouts.answer());
             if (drive.whole("tick") != observation.tick()) {
                 throw new ProtocolException(ControllerProblem.TICK, drive.whole("tick"));
+            }
+            if (early) {
+                throw new ProtocolException(ControllerProblem.EARLY_ANSWER);
             }
             return telemetry.decide(DriveMessage.read(drive, observation.robot()), observation.tick());
         } catch (InterruptedIOException ended) {

@@ -65,13 +65,11 @@ final class LineBuffer {
      * @throws ProtocolException if the line is too long or not UTF-8
      */
     String next() throws ProtocolException {
-        while (searched < end && bytes[searched] != '\n') {
-            searched++;
-        }
+        boolean complete = hasLine();
         if (searched - begin > MAX_LINE_BYTES) {
             throw new ProtocolException(ControllerProblem.LONG_LINE, MAX_LINE_BYTES);
         }
-        if (searched == end) {
+        if (!complete) {
             return null;
         }
         int length = searched - begin;
@@ -104,6 +102,14 @@ final class LineBuffer {
         String line = hasPart() ? text(begin, end - begin) : null;
         begin = end;
         return line;
+    }
+
+    /** Returns whether a complete line has arrived. */
+    boolean hasLine() {
+        while (searched < end && bytes[searched] != '\n') {
+            searched++;
+        }
+        return searched < end;
     }
 
     /** Returns whether a part of a line has arrived. */

@@ -77,6 +77,7 @@ class BadChildTest {
                 read l; echo R; read l; printf '{"state":"\\377"}\\n' | wrote a line at tick 0 that is not UTF-8: "{"state":"\uFFFD"}"
                 read l; printf '\\357\\273\\277{}\\n' | wrote no JSON before the first tick: "\uFEFF{}" (there is a byte order mark at character 1); write messages for people to standard error
                 read l; echo R; read l; echo '{"type":"drive","tick":5,"left_v":1,"right_v":1}' | answered tick 5 at tick 0; expected the tick of the observation
+                read l; printf '{"type":"ready","protocol":1}\\n{"type":"drive","tick":0,"left_v":1,"right_v":1}\\n'; sleep 60 | answered at tick 0 before the observation was sent; expected an answer to each observation
                 read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing; expected a finite number
                 read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is the string "1"; expected a finite number
                 read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is "1e999"; expected a finite number

@@ -208,11 +208,10 @@ class ExternalControllerTest {
 
     @Test
     void aChildThatReadsNothingCannotHoldUpTheRun() {
-        String deaf = "echo '" + READY + "'; i=0; while [ $i -lt 100000 ]; do "
-                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"left_v\\\":1,\\"
-                + "\"right_v\\\":1}\"; i=$((i+1)); done; sleep 60";
+        String deaf = String.join(
+                " ", JavaProcess.builder(DeafChild.class.getName(), List.of()).command());
         SimulationSetup setup = office().withDuration(1000);
-        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(deaf), setup, PATIENCE));
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(deaf, setup, 4 * PATIENCE));
         assertTrue(e.getMessage().contains("does not read its standard input"), e.getMessage());
         assertEquals(List.of(), childrenStillRunning());
     }
