@@ -2,15 +2,11 @@ package faultline.sensor;
 
 import java.lang.ref.SoftReference;
 import java.util.AbstractList;
-import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.RandomAccess;
 
 /**
@@ -34,8 +30,8 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
         private int removals;
         /** The number of removals that took the oldest fault, from the first place on. */
         private int leading;
-        /** The places of the faults that are left, oldest first; null until a fault is to be removed. */
-        private Map<Object, Queue<Integer>> places;
+        /** The places of the faults that are left; null until a fault is to be removed. */
+        private OldestFirst<Object, Integer> places;
 
         Storage(Object[] faults) {
             this.faults = faults;
@@ -48,37 +44,30 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
             }
             faults[end] = fault;
             if (places != null) {
-                addPlace(end);
+                places.begin(fault, end);
             }
             end++;
-        }
-
-        private void addPlace(int place) {
-            places.computeIfAbsent(faults[place], fault -> new ArrayDeque<>(1)).add(place);
         }
 
         /** Removes the oldest of equal faults, and returns whether there is one. */
         boolean remove(Object fault) {
             if (places == null) {
-                places = new HashMap<>();
+                places = new OldestFirst<>();
                 for (int place = 0; place < end; place++) {
-                    addPlace(place);
+                    places.begin(faults[place], place);
                 }
             }
-            Queue<Integer> equal = places.get(fault);
-            if (equal == null) {
-                return false;
-            }
+            Optional<Integer> oldest = places.end(fault);
+            oldest.ifPresent(this::removeAt);
+            return oldest.isPresent();
+        }
+
+        private void removeAt(int place) {
             if (removals == removed.length) {
                 removed = Arrays.copyOf(removed, Math.max(4, 2 * removals));
             }
-            int place = equal.remove();
             removed[removals++] = place;
             leading += place == leading ? 1 : 0;
-            if (equal.isEmpty()) {
-                places.remove(fault);
-            }
-            return true;
         }
     }
 

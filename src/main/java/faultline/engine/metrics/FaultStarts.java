@@ -2,15 +2,15 @@ package faultline.engine.metrics;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.sensor.OldestFirst;
 import faultline.world.Command;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** Finds the faults of a timeline that begin, without those that a later command of the same tick ends. */
 final class FaultStarts {
@@ -19,11 +19,8 @@ final class FaultStarts {
     private final long[] ticks;
     /** The commands that begin a fault, by their indices. */
     private final BitSet begun = new BitSet();
-    /**
-     * The indices of the commands that began the active faults, oldest first, by the sensor or the side of the motors
-     * and the fault.
-     */
-    private final Map<Object, Map<Object, Deque<Integer>>> active = new HashMap<>();
+    /** The active faults with the indices of the commands that began them, by the sensor or the side of the motors. */
+    private final Map<Object, OldestFirst<Object, Integer>> active = new HashMap<>();
 
     private FaultStarts(SimulationSetup setup) {
         commands = new ArrayList<>(setup.timeline());
@@ -46,41 +43,27 @@ final class FaultStarts {
         } else if (command instanceof Command.InjectMotorFault start) {
             begin(index, start.motor(), start.fault());
         } else if (command instanceof Command.ClearFault repair) {
-            endOldest(index, repair.sensor(), repair.fault());
+            end(index, activeOf(repair.sensor()).end(repair.fault()).stream());
         } else if (command instanceof Command.ClearMotorFault repair) {
-            endOldest(index, repair.motor(), repair.fault());
+            end(index, activeOf(repair.motor()).end(repair.fault()).stream());
         } else if (command instanceof Command.ClearFaults repair) {
-            endAll(index, repair.sensor());
+            end(index, activeOf(repair.sensor()).endAll().stream());
         } else if (command instanceof Command.ClearMotorFaults repair) {
-            endAll(index, repair.motor());
+            end(index, activeOf(repair.motor()).endAll().stream());
         }
+    }
+
+    private OldestFirst<Object, Integer> activeOf(Object part) {
+        return active.computeIfAbsent(part, other -> new OldestFirst<>());
     }
 
     private void begin(int index, Object part, Object fault) {
         begun.set(index);
-        active.computeIfAbsent(part, other -> new HashMap<>())
-                .computeIfAbsent(fault, other -> new ArrayDeque<>())
-                .add(index);
-    }
-
-    private void endOldest(int index, Object part, Object fault) {
-        Deque<Integer> equal = active.getOrDefault(part, Map.of()).getOrDefault(fault, new ArrayDeque<>());
-        if (!equal.isEmpty()) {
-            end(index, equal.remove());
-        }
-    }
-
-    private void endAll(int index, Object part) {
-        Map<Object, Deque<Integer>> ended = active.remove(part);
-        if (ended != null) {
-            ended.values().forEach(equal -> equal.forEach(start -> end(index, start)));
-        }
+        activeOf(part).begin(fault, index);
     }
 
     /** A fault that ends in the tick in which it begins never acts. */
-    private void end(int index, int start) {
-        if (ticks[start] == ticks[index]) {
-            begun.clear(start);
-        }
+    private void end(int index, Stream<Integer> starts) {
+        starts.filter(start -> ticks[start] == ticks[index]).forEach(begun::clear);
     }
 }

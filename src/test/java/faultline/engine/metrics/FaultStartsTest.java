@@ -21,6 +21,7 @@ import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -89,6 +90,54 @@ class FaultStartsTest {
         TimedCommand[] second = {at(20, LEFT), at(30, repair), at(10, LEFT), at(20, repair)};
         assertEquals(List.of(first[0], first[2]), FaultStarts.of(setup(first)));
         assertEquals(List.of(first[0], first[2]), FaultStarts.of(setup(second)));
+    }
+
+    private static Command randomCommand(Random random) {
+        String sensor = random.nextBoolean() ? "left" : "right";
+        Fault fault = new Fault.Bias(random.nextInt(2));
+        return switch (random.nextInt(9)) {
+            case 0 -> new ClearFaults(sensor);
+            case 1, 2, 3 -> new ClearFault(sensor, fault);
+            default -> new InjectFault(sensor, fault);
+        };
+    }
+
+    /** Returns the commands that begin faults, found with a list of the active ones, oldest first. */
+    private static List<TimedCommand> startsInList(List<TimedCommand> timeline) {
+        List<TimedCommand> begun = new ArrayList<>(timeline);
+        begun.removeIf(timed -> !(timed.command() instanceof InjectFault));
+        List<TimedCommand> active = new ArrayList<>();
+        for (TimedCommand timed : timeline) {
+            List<TimedCommand> ended = new ArrayList<>(active);
+            if (timed.command() instanceof ClearFault repair) {
+                ended.removeIf(start -> !start.command().equals(new InjectFault(repair.sensor(), repair.fault())));
+                ended = ended.subList(0, Math.min(1, ended.size()));
+            } else if (timed.command() instanceof ClearFaults repair) {
+                ended.removeIf(
+                        start -> !((InjectFault) start.command()).sensor().equals(repair.sensor()));
+            } else {
+                ended.clear();
+                active.add(timed);
+            }
+            active.removeAll(ended);
+            ended.removeIf(start -> Math.ceil(start.time()) != Math.ceil(timed.time()));
+            begun.removeAll(ended);
+        }
+        return begun;
+    }
+
+    @Test
+    void theStartsAreThoseThatAListOfActiveFaultsShows() {
+        Random random = new Random(11);
+        for (int run = 0; run < 300; run++) {
+            List<TimedCommand> timeline = new ArrayList<>();
+            for (int i = 1; i <= 40; i++) {
+                // No two commands are equal; eight are in each tick, which is as long as a second here.
+                timeline.add(at(0.125 * i, randomCommand(random)));
+            }
+            SimulationSetup setup = setup(timeline.toArray(new TimedCommand[0])).withTick(1);
+            assertEquals(startsInList(timeline), FaultStarts.of(setup));
+        }
     }
 
     @Test
