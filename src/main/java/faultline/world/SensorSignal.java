@@ -3,15 +3,14 @@ package faultline.world;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultContext;
 import faultline.sensor.FaultSequence;
+import faultline.sensor.OldestFirst;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorRandom;
 import faultline.sensor.SensorSpec;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Queue;
 
 /** The signal of one sensor: its readings with noise and faults. Confined to the simulation thread. */
 final class SensorSignal {
@@ -76,14 +75,12 @@ final class SensorSignal {
         boolean before = changesOptics();
         Map<Fault, Integer> ending = countEnding(same);
         int kept = isOneOf(ending, active.subList(0, same)) ? 0 : same;
-        Map<Fault, Queue<ActiveFault>> continuing = continuing(active.subList(kept, active.size()), ending);
+        OldestFirst<Fault, ActiveFault> continuing = continuing(active.subList(kept, active.size()), ending);
         List<ActiveFault> now = new ArrayList<>(active.subList(0, kept));
         for (Fault fault : faults.subList(kept, faults.size())) {
-            Queue<ActiveFault> equal = continuing.get(fault);
-            now.add(
-                    equal == null || equal.isEmpty()
-                            ? new ActiveFault(fault, new FaultContext(tick, dt, lastReported))
-                            : equal.remove());
+            now.add(continuing
+                    .end(fault)
+                    .orElseGet(() -> new ActiveFault(fault, new FaultContext(tick, dt, lastReported))));
         }
         active = now;
         return before || changesOptics();
@@ -102,17 +99,15 @@ final class SensorSignal {
         return !ending.isEmpty() && some.stream().anyMatch(each -> ending.containsKey(each.fault()));
     }
 
-    /** Returns the faults that do not end: of equal ones the newest, oldest first. */
-    private static Map<Fault, Queue<ActiveFault>> continuing(List<ActiveFault> some, Map<Fault, Integer> ending) {
-        Map<Fault, Integer> left = new HashMap<>(ending);
-        Map<Fault, Queue<ActiveFault>> continuing = new HashMap<>();
-        for (ActiveFault each : some) {
-            if (left.merge(each.fault(), -1, Integer::sum) < 0) {
-                continuing
-                        .computeIfAbsent(each.fault(), fault -> new ArrayDeque<>())
-                        .add(each);
+    /** Returns the faults that do not end. */
+    private static OldestFirst<Fault, ActiveFault> continuing(List<ActiveFault> some, Map<Fault, Integer> ending) {
+        OldestFirst<Fault, ActiveFault> continuing = new OldestFirst<>();
+        some.forEach(each -> continuing.begin(each.fault(), each));
+        ending.forEach((fault, count) -> {
+            for (int i = 0; i < count; i++) {
+                continuing.end(fault);
             }
-        }
+        });
         return continuing;
     }
 

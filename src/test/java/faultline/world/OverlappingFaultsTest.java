@@ -12,6 +12,7 @@ import faultline.sensor.FaultSequence;
 import faultline.sensor.SignalFault;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /** Many faults of one sensor at the same time, as a scenario file may have them. */
@@ -122,5 +123,41 @@ class OverlappingFaultsTest {
         world.execute(new Command.ClearFault("front", drift));
         world.execute(new Command.InjectFault("front", drift));
         assertErrorAfter(0.02, 10, world);
+    }
+
+    /** Up to six drifts of two rates; three times a tick, one begins or ends. */
+    @Test
+    void theDriftsAreThoseOfListsWhoseFirstEntriesEnd() {
+        Random random = new Random(2);
+        World world = world();
+        List<List<Integer>> starts = List.of(new ArrayList<>(), new ArrayList<>());
+        int[] counts = new int[2];
+        for (int tick = 0; tick < 2000; tick++) {
+            for (int i = 0; i < 3; i++) {
+                int rate = random.nextInt(2);
+                Fault drift = new SignalFault.Drift(0.1 * (rate + 1));
+                if (counts[0] + counts[1] < 6 && random.nextBoolean()) {
+                    counts[rate]++;
+                    world.execute(new Command.InjectFault("front", drift));
+                } else if (counts[rate] > 0) {
+                    counts[rate]--;
+                    world.execute(new Command.ClearFault("front", drift));
+                }
+            }
+            double error = 0;
+            for (int rate = 0; rate < 2; rate++) {
+                List<Integer> equal = starts.get(rate);
+                while (equal.size() > counts[rate]) {
+                    equal.remove(0);
+                }
+                while (equal.size() < counts[rate]) {
+                    equal.add(tick);
+                }
+                for (int start : equal) {
+                    error += 0.001 * (rate + 1) * (tick - start);
+                }
+            }
+            assertErrorAfter(error, 1, world);
+        }
     }
 }
