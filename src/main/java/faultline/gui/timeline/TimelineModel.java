@@ -2,14 +2,12 @@ package faultline.gui.timeline;
 
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.sensor.OldestFirst;
 import faultline.world.Command;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Queue;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -41,7 +39,7 @@ public final class TimelineModel {
     private TimelineModel(List<TimedCommand> commands, double dt) {
         this.commands = List.copyOf(commands);
         this.dt = dt;
-        Map<Command, Queue<Integer>> open = new HashMap<>();
+        OldestFirst<Command, Integer> open = new OldestFirst<>();
         IntStream.range(0, commands.size())
                 .boxed()
                 .sorted(Comparator.comparingLong(
@@ -64,27 +62,24 @@ public final class TimelineModel {
         return SimulationSetup.tickAt(time, dt);
     }
 
-    /**
-     * Adds a command; {@code open} has the oldest first of the intervals that a command would end, some ended since.
-     */
-    private void add(int index, Map<Command, Queue<Integer>> open) {
+    /** Adds a command; {@code open} has the intervals by the commands that would end them, some ended since. */
+    private void add(int index, OldestFirst<Command, Integer> open) {
         TimedCommand timed = commands.get(index);
-        Queue<Integer> ended = open.getOrDefault(timed.command(), new ArrayDeque<>());
         boolean found = false;
-        boolean endsOthers = true;
-        while (endsOthers && !ended.isEmpty()) {
-            int number = ended.remove();
-            PairedCommands pair = pairs.get(number);
+        Optional<Integer> oldest = open.end(timed.command());
+        while (oldest.isPresent()) {
+            PairedCommands pair = pairs.get(oldest.get());
+            boolean endsOthers = true;
             if (pair.last() == NONE) {
-                pairs.set(number, pair.endedBy(timed, index));
+                pairs.set(oldest.get(), pair.endedBy(timed, index));
                 endsOthers = pair.item().isEndedWithOthers(timed.command());
                 found = true;
             }
+            oldest = endsOthers ? open.end(timed.command()) : Optional.empty();
         }
         if (!found) {
             PairedCommands pair = new PairedCommands(TimelineItem.from(timed.command(), timed.time()), index, NONE);
-            pair.item().endings().forEach(ending -> open.computeIfAbsent(ending, key -> new ArrayDeque<>())
-                    .add(pairs.size()));
+            pair.item().endings().forEach(ending -> open.begin(ending, pairs.size()));
             pairs.add(pair);
         }
     }

@@ -16,6 +16,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -81,6 +83,47 @@ class TimelineModelTest {
         List<TimedCommand> commands = List.of(
                 inject(1, "left", STUCK), inject(2, "left", DEAD), inject(3, "left", STUCK), clear(4, "left", STUCK));
         assertEquals(List.of("left 1.0 4.0", "left 2.0 Infinity", "left 3.0 Infinity"), spans(commands));
+    }
+
+    private static TimedCommand randomFaultOrRemoval(double time, Random random) {
+        Fault fault = random.nextBoolean() ? STUCK : DEAD;
+        return switch (random.nextInt(8)) {
+            case 0 -> clearAll(time, "left");
+            case 1, 2, 3 -> clear(time, "left", fault);
+            default -> inject(time, "left", fault);
+        };
+    }
+
+    /** Returns the items of one sensor's commands, found with a list of all items so far. */
+    private static List<TimelineItem> itemsInList(List<TimedCommand> commands) {
+        List<TimelineItem> items = new ArrayList<>();
+        for (TimedCommand timed : commands) {
+            Command command = timed.command();
+            boolean endsAll = command instanceof Command.ClearFaults;
+            boolean ends = false;
+            for (int i = 0; i < items.size() && (endsAll || !ends); i++) {
+                TimelineItem item = items.get(i);
+                if (item.isOpen() && (endsAll || item.endings().get(0).equals(command))) {
+                    items.set(i, item.withTimes(item.start(), timed.time()));
+                    ends = true;
+                }
+            }
+            if (!ends) {
+                items.add(TimelineItem.from(command, timed.time()));
+            }
+        }
+        return items;
+    }
+
+    @Test
+    void theItemsAreThoseOfAListWhoseFirstOfEqualFaultsEnds() {
+        Random random = new Random(4);
+        for (int run = 0; run < 300; run++) {
+            List<TimedCommand> commands = IntStream.range(0, 40)
+                    .mapToObj(time -> randomFaultOrRemoval(time, random))
+                    .toList();
+            assertEquals(itemsInList(commands), TimelineModel.of(commands, DT).items());
+        }
     }
 
     @Test
