@@ -2,6 +2,7 @@ package faultline.gui.change;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.sensor.FaultSequence;
+import faultline.sensor.OldestFirst;
 import faultline.world.Command;
 import faultline.world.Command.CommandCases;
 import faultline.world.CommandResult;
@@ -51,16 +52,16 @@ final class EventEffects {
             other(),
             other());
 
-    /** What ends a part of a state; empty for the switch of a sensor, which another state replaces. */
+    /** What ends a fault that an event begins; empty for an event that begins none. */
     private static final CommandCases<Optional<Command>> ENDS = new CommandCases<>(
             switchSensor -> Optional.empty(),
             other(),
             inject -> Optional.of(new Command.ClearFault(inject.sensor(), inject.fault())),
-            other(),
-            other(),
+            clear -> Optional.empty(),
+            clearAll -> Optional.empty(),
             inject -> Optional.of(new Command.ClearMotorFault(inject.motor(), inject.fault())),
-            other(),
-            other(),
+            clear -> Optional.empty(),
+            clearAll -> Optional.empty(),
             other(),
             other(),
             other(),
@@ -183,31 +184,19 @@ final class EventEffects {
      */
     static List<Double> ends(List<Command> faults, List<TimedCommand> events) {
         List<Double> ends = new ArrayList<>(Collections.nCopies(faults.size(), Double.POSITIVE_INFINITY));
-        FaultSequence<Command> active = FaultSequence.copyOf(faults);
-        // The places of the active faults in the list of ends; faults that begin later have none.
-        List<Integer> places = new ArrayList<>();
-        faults.forEach(fault -> places.add(places.size()));
+        // The places of the active faults in the list of ends, by what ends a fault; later faults have none.
+        OldestFirst<Command, Integer> active = new OldestFirst<>();
+        for (int place = 0; place < ends.size(); place++) {
+            active.begin(faults.get(place).match(ENDS).orElseThrow(), place);
+        }
         for (TimedCommand event : events) {
-            int before = active.size();
-            int oldest = indexOfEnded(active, event.command());
-            active = after(active, event.command());
-            if (active.size() > before) {
-                places.add(NO_PLACE);
-            } else if (active.size() < before) {
-                List<Integer> ended = active.isEmpty() ? places : places.subList(oldest, oldest + 1);
-                ended.stream().filter(place -> place != NO_PLACE).forEach(place -> ends.set(place, event.time()));
-                ended.clear();
-            }
+            Command command = event.command();
+            command.match(ENDS).ifPresent(end -> active.begin(end, NO_PLACE));
+            boolean endsAll = command.match(RESETS).equals(Optional.of(command));
+            List<Integer> ended =
+                    endsAll ? active.endAll() : active.end(command).stream().toList();
+            ended.stream().filter(place -> place != NO_PLACE).forEach(place -> ends.set(place, event.time()));
         }
         return ends;
-    }
-
-    /** Returns the index of the oldest fault that an event ends alone, or the number of faults. */
-    private static int indexOfEnded(List<Command> active, Command event) {
-        int index = 0;
-        while (index < active.size() && !active.get(index).match(ENDS).equals(Optional.of(event))) {
-            index++;
-        }
-        return index;
     }
 }

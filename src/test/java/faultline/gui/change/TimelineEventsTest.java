@@ -3,6 +3,7 @@ package faultline.gui.change;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.CpuTime;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
@@ -11,8 +12,10 @@ import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** When the timeline ends the faults that are active. */
@@ -53,6 +56,68 @@ class TimelineEventsTest {
                 at(4, new Command.ClearMotorFaults(MotorSide.LEFT)),
                 at(9, LEFT_WEAK_ENDS));
         assertEquals(List.of(2.0, 4.0), TimelineEvents.ends(List.of(LEFT_WEAK, LEFT_DEAD), timeline, 1));
+    }
+
+    private static Command randomEvent(Random random) {
+        return switch (random.nextInt(8)) {
+            case 0 -> new Command.ClearMotorFaults(MotorSide.LEFT);
+            case 1, 2 -> LEFT_WEAK_ENDS;
+            case 3 -> new Command.ClearMotorFault(MotorSide.LEFT, new MotorFault.NoDrive());
+            case 4, 5 -> LEFT_DEAD;
+            default -> LEFT_WEAK;
+        };
+    }
+
+    /** Returns the ends of faults, found with a list of the active ones, oldest first. */
+    private static List<Double> endsInList(List<Command> faults, List<TimedCommand> timeline) {
+        // The last one is for later faults.
+        List<Double> ends = new ArrayList<>(Collections.nCopies(faults.size() + 1, NEVER));
+        List<Command> active = new ArrayList<>(faults);
+        List<Integer> places =
+                new ArrayList<>(IntStream.range(0, faults.size()).boxed().toList());
+        for (TimedCommand event : timeline) {
+            boolean endsAll = event.command() instanceof Command.ClearMotorFaults;
+            if (event.command() instanceof Command.InjectMotorFault) {
+                active.add(event.command());
+                places.add(faults.size());
+            }
+            int first = event.command() instanceof Command.ClearMotorFault end
+                    ? active.indexOf(new Command.InjectMotorFault(end.motor(), end.fault()))
+                    : -1;
+            int from = endsAll ? 0 : Math.max(0, first);
+            int to = endsAll ? active.size() : first + 1;
+            places.subList(from, to).forEach(place -> ends.set(place, event.time()));
+            places.subList(from, to).clear();
+            active.subList(from, to).clear();
+        }
+        return ends.subList(0, faults.size());
+    }
+
+    @Test
+    void theEndsAreThoseOfAListWhoseFirstOfEqualFaultsEnds() {
+        Random random = new Random(6);
+        for (int run = 0; run < 1000; run++) {
+            List<Command> faults = Stream.generate(() -> random.nextBoolean() ? LEFT_WEAK : LEFT_DEAD)
+                    .limit(random.nextInt(5))
+                    .toList();
+            List<TimedCommand> timeline = IntStream.range(1, 15)
+                    .mapToObj(time -> at(time, randomEvent(random)))
+                    .toList();
+            assertEquals(endsInList(faults, timeline), TimelineEvents.ends(faults, timeline, 0));
+        }
+    }
+
+    /** One fault lasts while 30 000 later ones overlap. */
+    @Test
+    void theTimeThatTheEndsTakeIsInProportionToTheEvents() {
+        CpuTime time = CpuTime.start();
+        List<TimedCommand> timeline = new ArrayList<>();
+        for (int i = 1; i <= 60_000; i++) {
+            timeline.add(at(i, LEFT_WEAK));
+            timeline.add(at(i + 30_000.5, LEFT_WEAK_ENDS));
+        }
+        assertEquals(List.of(NEVER), TimelineEvents.ends(List.of(LEFT_DEAD), timeline, 0));
+        time.assertBelow(2);
     }
 
     @Test
