@@ -1,0 +1,84 @@
+package faultline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What {@code src/conf/compare-peers} does without the peers; with them, it measures for minutes. */
+@Timeout(60)
+class ComparePeersTest {
+
+    @TempDir
+    private Path folder;
+
+    private record Output(int code, String text) {}
+
+    @BeforeEach
+    void requirePython() throws Exception {
+        assumeTrue(
+                python("-c", "import sys; sys.exit(sys.version_info < (3, 8))").code() == 0, "needs Python 3.8");
+    }
+
+    @Test
+    void aFolderThatIsNotEnkiIsRefused() throws Exception {
+        assertEquals(
+                new Output(
+                        2,
+                        "compare-peers: " + folder + " is not a copy of Enki: it has no file enki/PhysicalEngine.h.\n"),
+                comparePeers(folder.toString()));
+    }
+
+    @Test
+    void aFolderThatIsNotStageIsRefused() throws Exception {
+        pretendEnki();
+        assertEquals(
+                new Output(
+                        2, "compare-peers: " + folder + " is not a copy of Stage: it has no file libstage/stage.hh.\n"),
+                comparePeers(folder.toString(), folder.toString()));
+    }
+
+    @Test
+    void aMissingJarIsNamedWithTheCommandThatMakesIt() throws Exception {
+        pretendEnki();
+        assertEquals(
+                new Output(2, "compare-peers: none.jar does not exist; `mvn -DskipTests package` makes it.\n"),
+                comparePeers(folder.toString(), "--jar", "none.jar"));
+    }
+
+    private void pretendEnki() throws IOException {
+        Files.createDirectory(folder.resolve("enki"));
+        Files.createFile(folder.resolve("enki/PhysicalEngine.h"));
+    }
+
+    private static Output comparePeers(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("src/conf/compare-peers"));
+        command.addAll(List.of(arguments));
+        return python(command.toArray(String[]::new));
+    }
+
+    private static Output python(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("python3"));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        try {
+            Process process = builder.start();
+            process.getOutputStream().close();
+            String text = JavaProcess.output(process);
+            assertTrue(process.waitFor(30, TimeUnit.SECONDS), text);
+            return new Output(process.exitValue(), text);
+        } catch (IOException notThere) {
+            return new Output(-1, notThere.getMessage());
+        }
+    }
+}
