@@ -187,7 +187,7 @@ final class FaultSections {
                 numbers.putIfAbsent(id, numbers.size());
                 sensors.set(numbers.get(id));
             }
-            sets.add(new SensorSet(name, sensors.cardinality(), sensors.toLongArray(), Survival.of(rows)));
+            sets.add(new SensorSet(name, sensors, Survival.of(rows)));
         });
         return Html.section(
                 "Minimum sets of sensors",
@@ -205,10 +205,10 @@ final class FaultSections {
     }
 
     /**
-     * Sensors that are on: their name in the results, their number, a bit for each of them, and how often the robot
-     * carries on with them.
+     * Sensors that are on: their name in the results, a bit for each of them, and how often the robot carries on with
+     * them.
      */
-    private record SensorSet(String name, int size, long[] bits, Survival survival) {
+    private record SensorSet(String name, BitSet sensors, Survival survival) {
 
         /** Those with the greatest shares first, those without decided runs last. */
         static final Comparator<SensorSet> BEST_FIRST = Comparator.comparing((SensorSet set) -> set.survival.n() == 0)
@@ -223,13 +223,8 @@ final class FaultSections {
             return survival.interval().low() >= SUFFICIENT;
         }
 
-        boolean containsAll(SensorSet other) {
-            for (int i = 0; i < other.bits.length; i++) {
-                if (i >= bits.length || (other.bits[i] & ~bits[i]) != 0) {
-                    return false;
-                }
-            }
-            return true;
+        int size() {
+            return sensors.cardinality();
         }
     }
 
@@ -240,11 +235,18 @@ final class FaultSections {
     /** Returns the sufficient sets in which no smaller one is, those of fewer sensors first. */
     private static List<SensorSet> minimumSets(List<SensorSet> sets) {
         List<SensorSet> minimum = new ArrayList<>();
-        sets.stream()
-                .filter(SensorSet::isSufficient)
-                .sorted(Comparator.comparing(SensorSet::size).thenComparing(SensorSet.BEST_FIRST))
-                .filter(set -> minimum.stream().noneMatch(set::containsAll))
-                .forEachOrdered(minimum::add);
+        SensorSetIndex smaller = new SensorSetIndex();
+        List<SensorSet> sufficient =
+                sets.stream().filter(SensorSet::isSufficient).toList();
+        new TreeMap<>(CampaignRuns.group(sufficient, SensorSet::size)).forEach((size, some) -> {
+            List<SensorSet> found = some.stream()
+                    .filter(set -> !smaller.hasSubset(set.sensors()))
+                    .sorted(SensorSet.BEST_FIRST)
+                    .toList();
+            // Different sets of one size never contain each other.
+            found.forEach(set -> smaller.add(set.sensors()));
+            minimum.addAll(found);
+        });
         return minimum;
     }
 

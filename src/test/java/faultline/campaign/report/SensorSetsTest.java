@@ -118,6 +118,23 @@ class SensorSetsTest {
         assertTrue(section.contains(" 39203 of 65536 sets are sufficient."), () -> section.substring(0, 500));
     }
 
+    /** All pairs of 400 sensors, each sufficient. Comparing each with all others takes half a minute. */
+    @Test
+    void manySetsOfOneSizeAreNotCompared() {
+        for (int i = 0; i < 400; i++) {
+            for (int j = 0; j < i; j++) {
+                addRuns("s" + i + " s" + j, 1, 1);
+            }
+        }
+        addRuns("s0 s1 s2", 1, 1);
+        CpuTime time = CpuTime.start();
+        String section = section();
+        time.assertBelow(8);
+        String minimum = section.substring(0, section.indexOf("All sets"));
+        assertEquals(79_800, minimum.split("<td>2</td>", -1).length - 1, "400 over 2");
+        assertFalse(minimum.contains(row("s0 s1 s2")));
+    }
+
     /** More than the 64 sensors of one word. */
     @Test
     void aSetOfManySensorsIsComparedAsAWhole() {
