@@ -19,6 +19,9 @@ final class VariantSections {
 
     private static final int BINS = 10;
 
+    /** The maximum number of charts over drawn numbers; a page with more would be long and hard to read. */
+    private static final int MAX_RESPONSES = 100;
+
     private final CampaignRuns campaign;
 
     VariantSections(CampaignRuns campaign) {
@@ -174,15 +177,24 @@ final class VariantSections {
     /** Returns charts of the share carried on over each number that is drawn or has many levels. */
     String responses() {
         StringBuilder charts = new StringBuilder();
+        int count = 0;
         for (Column column : campaign.continuousColumns()) {
-            responseGroups(column).forEach((name, rows) -> charts.append(response(column, name, rows)));
+            for (Map.Entry<String, List<RunRow>> group : responseGroups(column).entrySet()) {
+                count++;
+                charts.append(count > MAX_RESPONSES ? "" : response(column, group.getKey(), group.getValue()));
+            }
         }
+        String omitted = count <= MAX_RESPONSES
+                ? ""
+                : Html.paragraph("These are the first " + MAX_RESPONSES + " charts of " + count + ". The other "
+                        + (count - MAX_RESPONSES) + " are left out.");
         return charts.isEmpty()
                 ? ""
                 : Html.section(
                         "Carried on over drawn numbers",
                         Html.paragraph("Share of runs carried on, with 95 % intervals, in " + BINS
                                         + " equal parts of each range; of all runs in which the number was given.")
+                                + omitted
                                 + "<div class=\"charts\">" + charts + "</div>\n");
     }
 
@@ -196,7 +208,7 @@ final class VariantSections {
                 campaign.rows().stream()
                         .filter(row -> row.number(column.name()).isPresent())
                         .toList(),
-                row -> faults.map(columns -> ", " + row.text(columns.fault())).orElse(""));
+                row -> faults.map(columns -> ", " + row.text(columns.kind())).orElse(""));
     }
 
     private String response(Column column, String group, List<RunRow> given) {

@@ -134,6 +134,43 @@ class VariantSectionsTest {
         ReportChartsTest.assertPlaces(chart, ReportChartsTest.DOT, 0.05, 1, 0.15, 1, 0.95, 0);
     }
 
+    @Test
+    void labelsDoNotDivideTheRunsOfAKind() throws ScenarioException {
+        lines.add(List.of("run", "block", "world", "fault_value", "carried_on", "fault_kind", "fault_label"));
+        StringBuilder faults = new StringBuilder("<faults>");
+        for (int i = 10; i < 24; i++) {
+            addRun(0, "0." + i, "1", "bias", "case " + i);
+            faults.append("<fault label=\"case %d\" kind=\"bias\" sensor=\"front\" value=\"0.%d\" at=\"1\"/>"
+                    .formatted(i, i));
+        }
+        String charts = new VariantSections(new CampaignRuns(plan(faults + "</faults>"), lines)).responses();
+        assertEquals(2, charts.split("<title>").length, charts);
+        assertTrue(charts.contains("<title>carried on over fault_value, bias</title>"), charts);
+    }
+
+    @Test
+    void aPageWithManyChartsSaysHowManyAreLeftOut() throws ScenarioException {
+        List<String> header = new ArrayList<>(List.of("run", "block", "world", "other", "carried_on"));
+        StringBuilder faults = new StringBuilder();
+        for (int i = 0; i < 103; i++) {
+            header.add("f" + i + "_value");
+            faults.append(
+                    "<faults name=\"f%d\"><fault kind=\"stuck\" sensor=\"front\" value=\"0..0.8\" at=\"1\"/></faults>"
+                            .formatted(i));
+        }
+        lines.add(header);
+        for (int block = 0; block < 13; block++) {
+            String[] numbers = new String[103];
+            Arrays.fill(numbers, String.valueOf(block));
+            addRun(block, "", "1", numbers);
+        }
+        CampaignPlan plan = plan(faults.toString());
+        String section = new VariantSections(new CampaignRuns(plan, lines)).responses();
+        assertTrue(
+                section.contains("<p>These are the first 100 charts of 103. The other 3 are left out.</p>"), section);
+        assertEquals(101, section.split("<title>").length);
+    }
+
     /** The parts of the range from 10 to 20 s begin at whole seconds. The kind of a fault does not matter here. */
     @Test
     void aValueBetweenTwoPartsOfARangeBelongsToTheUpperOne() throws ScenarioException {
