@@ -129,15 +129,14 @@ public final class CampaignReport {
 
     /** Returns how intervals regard runs that are not independent. */
     private String independence() {
-        CampaignPlan plan = campaign.plan();
-        boolean worlds = plan.worldCount() > 1;
-        int count = worlds ? plan.worldCount() : plan.seedCount();
+        boolean worlds = campaign.worldCount() > 1;
+        long count = campaign.rows().stream().map(RunRow::cluster).distinct().count();
         String effect = worlds
                 ? "Runs in one world are correlated, so intervals use the effective number of independent runs."
                 : "All runs are in one world: intervals cover other seeds and draws in it, but not other worlds.";
-        return count == 1 || count >= FEW_CLUSTERS
+        return count >= FEW_CLUSTERS || count == 1 && !worlds
                 ? effect
-                : effect + " With only " + count + (worlds ? " worlds" : " seeds")
+                : effect + " With only " + Html.count(count, worlds ? "world" : "seed")
                         + ", the correlation of runs is uncertain, which makes intervals wider.";
     }
 

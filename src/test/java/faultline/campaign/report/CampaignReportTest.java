@@ -317,6 +317,22 @@ class CampaignReportTest {
         assertTrue(report.html(List.of()).contains("3 of 8 runs"));
     }
 
+    /** An interval depends on the worlds that have runs, not on those of the plan. */
+    @Test
+    void theWorldsOfAnUnfinishedCampaignAreThoseWithRuns() throws Exception {
+        String elements = IntStream.range(0, 12)
+                .mapToObj(i -> "<scenario file=\"" + i + ".xml\"/>")
+                .collect(Collectors.joining("", "<worlds>", "</worlds>"));
+        String few = "the correlation of runs is uncertain, which makes intervals wider.";
+        assertFalse(reportOf(elements).contains(few));
+        Path table = folder.resolve("runs.csv");
+        List<String> rows = Files.readAllLines(table);
+        Files.write(table, rows.subList(0, 3));
+        assertTrue(new CampaignReport(folder).html(List.of()).contains("With only 2 worlds, " + few));
+        Files.write(table, rows.subList(0, 2));
+        assertTrue(new CampaignReport(folder).html(List.of()).contains("With only 1 world, " + few));
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
