@@ -7,6 +7,7 @@ import faultline.campaign.plan.FactorKind;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.Csv;
 import faultline.campaign.run.LineReader;
+import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.ResultsProblem;
 import faultline.campaign.run.RowCheck;
 import faultline.io.Message;
@@ -23,11 +24,13 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -82,7 +85,9 @@ final class CampaignRuns {
                 .filter(factor -> factor.kind() == FactorKind.FAULTS)
                 .map(FaultColumns::of)
                 .toList();
-        table.header().forEach(name -> indices.put(name, indices.size()));
+        for (int i = 0; i < table.header().size(); i++) {
+            indices.putIfAbsent(table.header().get(i), i);
+        }
         Map<List<String>, Integer> firstRuns = new HashMap<>();
         table.rows().forEach(cells -> rows.add(new RunRow(this, firstEqual(cells, firstRuns), cells)));
     }
@@ -134,7 +139,7 @@ final class CampaignRuns {
                                 parsed.damagedCells(), parsed.header().size()));
             }
             CampaignRuns campaign = new CampaignRuns(plan, parsed);
-            campaign.checkColumns(table);
+            campaign.checkColumns(table, parsed.header());
             campaign.checkRows(table);
             return campaign;
         } catch (UncheckedIOException e) {
@@ -144,14 +149,25 @@ final class CampaignRuns {
         }
     }
 
-    /** Checks that the columns are there without which every run would be without a result. */
-    private void checkColumns(Path table) throws IOException {
+    /**
+     * Checks that the columns are there without which every run would be without a result, and that no column of the
+     * plan is there twice, because the cells of the two may differ.
+     */
+    private void checkColumns(Path table, List<String> header) throws IOException {
         List<String> needed = new ArrayList<>(NEEDED_COLUMNS);
         plan.factorColumns().forEach(column -> needed.add(column.name()));
         for (String name : needed) {
             if (!indices.isEmpty() && index(name) < 0) {
                 throw new MessageException(
                         table + ":1:1", ResultsProblem.NO_COLUMN.with(MessageText.quoted(name)), null);
+            }
+        }
+        Set<String> known = ResultColumns.of(plan).stream().map(Column::name).collect(Collectors.toSet());
+        Set<String> found = new HashSet<>();
+        for (String name : header) {
+            if (!found.add(name) && known.contains(name)) {
+                throw new MessageException(
+                        table + ":1:1", ResultsProblem.COLUMN_TWICE.with(MessageText.quoted(name)), null);
             }
         }
     }

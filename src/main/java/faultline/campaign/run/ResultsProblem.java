@@ -19,6 +19,8 @@ public enum ResultsProblem implements Message.Template {
     NO_ROW("there is no row of a run; expected at least one below the header"),
     /** A column is missing. */
     NO_COLUMN("the header has no column {0}; expected names with commas between them"),
+    /** A column is there twice. */
+    COLUMN_TWICE("the header has the column {0} twice; expected it once"),
     /** A row has another number of cells than the header. */
     CELL_COUNT("the row has {0} cells; expected {1} like the header"),
     /** A row has one cell. */

@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.xml.sax.InputSource;
 
 class CampaignReportTest {
@@ -419,6 +420,9 @@ class CampaignReportTest {
                     run,block        | BOMrun,block | :1:1: the header has no column "run"; expected names with commas between them
                     ,carried_on,     | ,went_on,    | :1:1: the header has no column "carried_on"; expected names with commas between them
                     ,robot_speed_m_s | ,speed       | :1:1: the header has no column "robot_speed_m_s"; expected names with commas between them
+                    ,carried_on,     | ,collided,   | :1:1: the header has no column "carried_on"; expected names with commas between them
+                    ,laps,           | ,run,        | :1:1: the header has the column "run" twice; expected it once
+                    ,laps,           | ,coverage,   | :1:1: the header has the column "coverage" twice; expected it once
                     LF7,             | LF1,         | :9: run 1 is there twice; expected each run once
                     LF7,             | LF8,         | :9: run 8 is not in the plan; expected 0 to 7
                     """)
@@ -433,6 +437,25 @@ class CampaignReportTest {
         Files.writeString(table, damaged);
         IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
         assertEquals(table + problem, refusal.getMessage());
+    }
+
+    /** A spreadsheet may add columns without a heading. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "note"})
+    void twoForeignColumnsOfOneNameChangeNothing(String name) throws Exception {
+        String html = report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        List<String> lines = new ArrayList<>();
+        int carriedOn = -1;
+        for (String row : Files.readAllLines(table)) {
+            List<String> cells = Csv.cells(row);
+            carriedOn = carriedOn < 0 ? cells.indexOf("carried_on") : carriedOn;
+            String added = lines.isEmpty() ? name : "0";
+            cells.addAll(carriedOn, List.of(added, added));
+            lines.add(Csv.row(cells).strip());
+        }
+        Files.write(table, lines);
+        assertEquals(html, new CampaignReport(folder).html(List.of()));
     }
 
     @Test
