@@ -41,6 +41,7 @@ final class CampaignCommand {
         Shard shard = shard(parsed);
         ControllerOptions.addJar(parsed);
         CampaignPlan plan = PlanFiles.read(file);
+        output.printNotes(plan.notes());
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);
         return run(runner, resume, folder);
     }

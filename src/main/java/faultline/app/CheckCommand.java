@@ -48,6 +48,7 @@ final class CheckCommand {
             Path path = Arguments.parsePath(file);
             if (PlanFiles.isPlan(path)) {
                 CampaignPlan plan = PlanFiles.read(path);
+                output.printNotes(plan.notes());
                 output.println(file + ": good, " + plan.runCount() + (plan.runCount() == 1 ? " run" : " runs"));
             } else {
                 requireRecord(path, Scenario.load(path));

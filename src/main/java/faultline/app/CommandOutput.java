@@ -1,6 +1,7 @@
 package faultline.app;
 
 import faultline.io.MessageText;
+import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.ScenarioException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -34,7 +35,12 @@ record CommandOutput(PrintStream out, PrintStream err) {
 
     /** Prints one line for each problem. */
     void printError(ScenarioException exception) {
-        exception.problems().forEach(problem -> printError(problem.toString()));
+        printNotes(exception.problems());
+    }
+
+    /** Prints one line for each thing that a user should know of a file. */
+    void printNotes(List<Problem> notes) {
+        notes.forEach(note -> printError(note.toString()));
     }
 
     /** Flushes the output and returns whether all of it was written; false if a pipe is closed or a disk is full. */

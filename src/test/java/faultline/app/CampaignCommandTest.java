@@ -75,6 +75,33 @@ class CampaignCommandTest {
     }
 
     @Test
+    void aPathThatNamesNoneOfSeveralElementsIsNoted() throws IOException {
+        String sensors = "<robot x=\"0.6\" y=\"1.2\"><sensor id=\"left\" x=\"0\" y=\"0.1\" bearing=\"90\"/>"
+                + "<sensor id=\"right\" x=\"0\" y=\"-0.1\" bearing=\"-90\"/></robot>";
+        String room = SamplePlan.ROOM.replace("<robot x=\"0.6\" y=\"1.2\"/>", sensors);
+        Files.writeString(folder.resolve("a.xml"), room);
+        Files.writeString(folder.resolve("b.xml"), room);
+        String text = SamplePlan.text(
+                "",
+                """
+                <worlds><scenario file="a.xml"/><scenario file="b.xml"/></worlds>
+                <set attribute="@duration" value="0.1"/>
+                <set attribute="robot/sensor/@range" value="0.8 0.2"/>
+                """);
+        Files.writeString(folder.resolve("plan.xml"), text);
+        String note = "@/plan.xml:4:55: \"robot/sensor/@range\" sets only the first of 2 elements <sensor>;"
+                + " \"robot/sensor[left]/@range\" names one of them, by its id or number (in a)\n";
+        assertEquals(0, command("check @/plan.xml"), errors());
+        assertTrue(out.toString(StandardCharsets.UTF_8).endsWith("good, 4 runs\n"), out::toString);
+        assertEquals(note, errors());
+        assertEquals(0, command("campaign @/plan.xml --out @/out"), errors());
+        assertEquals(note, errors());
+        Files.writeString(folder.resolve("plan.xml"), text.replace("sensor/", "sensor[right]/"));
+        assertEquals(0, command("check @/plan.xml"), errors());
+        assertEquals("", errors());
+    }
+
+    @Test
     void aCampaignIsMadeInPartsMergedAndReported() throws IOException {
         assertEquals(0, command("campaign @/plan.xml --out @/whole"), errors());
         assertTrue(out.toString(StandardCharsets.UTF_8).endsWith("runs: 6\nbroken: 0\n"));

@@ -66,8 +66,8 @@ record AttributePath(List<PathStep> steps, String attribute) {
     }
 
     /**
-     * An element by its name, and its id or its number among the elements with its name, from 1; empty for the only
-     * one.
+     * An element by its name, and its id or its number among the elements with its name, from 1; empty for the first or
+     * only one.
      */
     record PathStep(String element, String key) {
 
@@ -101,6 +101,13 @@ record AttributePath(List<PathStep> steps, String attribute) {
         }
         Matcher attribute = ATTRIBUTE.matcher(path.substring(end));
         return attribute.matches() ? Optional.of(new AttributePath(steps, attribute.group(1))) : Optional.empty();
+    }
+
+    /** Returns the path with another key in one of its steps. */
+    AttributePath withKey(int index, String key) {
+        List<PathStep> others = new ArrayList<>(steps);
+        others.set(index, new PathStep(steps.get(index).element, key));
+        return new AttributePath(others, attribute);
     }
 
     /** Returns the unit of the attribute's values, empty if it has none. */

@@ -142,6 +142,14 @@ public final class CampaignPlan {
         return found;
     }
 
+    /**
+     * {@return a note on each path that sets an attribute of the first of several elements of a scenario because it
+     * names none of them} The plan can be run.
+     */
+    public List<Problem> notes() {
+        return PathNotes.of(file, worlds.kinds(), commonChanges, factors);
+    }
+
     /** {@return the types of the controllers that drive the robots, in the order of the plan, each once} */
     public List<String> controllerTypes() {
         return ControllerTypes.of(worlds.kinds(), commonChanges, factors);

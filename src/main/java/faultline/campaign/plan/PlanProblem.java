@@ -38,6 +38,8 @@ public enum PlanProblem implements Message.Template {
     IN_FILE("{0}: {1}"),
     /** A path leads to no element. */
     NO_SUCH_ATTRIBUTE("attribute of <set> is \"{0}\", but {1}"),
+    /** A path leads to one of several elements, which is no error. */
+    FIRST_ONLY("\"{0}\" sets only the first of {1} elements <{2}>; \"{3}\" names one of them, by its id or number"),
     /** The controller would have to be chosen. */
     EXTERN("the controller is from outside, which no plan can name; expected one of the program or of --jar"),
     /** A problem that a change of the plan causes in a world. */

@@ -73,6 +73,30 @@ final class ScenarioTree {
         return new AttributePath(steps, path.attribute());
     }
 
+    /** Returns a note on a path that leads to the first of several elements because it names none of them. */
+    Optional<Message> note(AttributePath path) {
+        Optional<ChangedElement> node = Optional.of(root);
+        for (int i = 0; i < path.steps().size(); i++) {
+            AttributePath.PathStep step = path.steps().get(i);
+            int count = node.map(parent -> parent.childrenNamed(step.element()).size())
+                    .orElse(0);
+            node = node.flatMap(parent -> parent.find(step));
+            if (step.key().isEmpty() && count > 1) {
+                return Optional.of(PlanProblem.FIRST_ONLY.with(
+                        MessageText.excerpt(path.toString()),
+                        count,
+                        step.element(),
+                        MessageText.excerpt(path.withKey(i, name(node.get())).toString())));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Returns the id of an element, or its number if it has none that a path can contain. */
+    private static String name(ChangedElement element) {
+        return element.id().isEmpty() || element.id().contains("]/") ? String.valueOf(element.number()) : element.id();
+    }
+
     /** Adds a sensor, a setting, or an element that has its defaults if it is missing. */
     private static ChangedElement create(ChangedElement node, AttributePath.PathStep step, SourceLocation location)
             throws UnresolvedPathException {

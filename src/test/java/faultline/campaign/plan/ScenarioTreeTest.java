@@ -35,6 +35,37 @@ class ScenarioTreeTest {
                     element("circle", Map.of("x", "4"))),
             element("robot", Map.of(), element("sensor", Map.of("id", "front"))));
 
+    @Test
+    void aPathThatNamesNoneOfSeveralElementsHasANote() {
+        XmlElement tree = element(
+                "scenario",
+                Map.of(),
+                element(
+                        "robot",
+                        Map.of(),
+                        element("sensor", Map.of("id", "a]/b")),
+                        element("sensor", Map.of("id", "c"))),
+                element("timeline", Map.of(), element("fault", Map.of()), element("fault", Map.of())));
+        assertEquals(
+                "\"robot/sensor/@range\" sets only the first of 2 elements <sensor>; \"robot/sensor[1]/@range\" names"
+                        + " one of them, by its id or number",
+                note(tree, "robot/sensor/@range"));
+        assertEquals(
+                "\"timeline/fault/@at\" sets only the first of 2 elements <fault>; \"timeline/fault[1]/@at\" names"
+                        + " one of them, by its id or number",
+                note(tree, "timeline/fault/@at"));
+        for (String path : List.of("robot/sensor[c]/@range", "timeline/fault[2]/@at", "robot/@x", "controller/@side")) {
+            assertEquals("", note(tree, path), path);
+        }
+    }
+
+    private static String note(XmlElement tree, String path) {
+        return new ScenarioTree(tree)
+                .note(AttributePath.parse(path).orElseThrow())
+                .map(Object::toString)
+                .orElse("");
+    }
+
     private static void set(ScenarioTree tree, String path, String text) throws ScenarioException {
         tree.set(AttributePath.parse(path).orElseThrow(), text, "plan.xml", new SourceLocation(7, 8));
     }
