@@ -21,6 +21,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Collection;
 import java.util.HashMap;
@@ -89,29 +90,31 @@ final class CampaignRuns {
             indices.putIfAbsent(table.header().get(i), i);
         }
         Map<List<String>, Integer> firstRuns = new HashMap<>();
-        table.rows().forEach(cells -> rows.add(new RunRow(this, firstEqual(cells, firstRuns), cells)));
+        int[] identity = identityColumns();
+        table.rows().forEach(cells -> rows.add(new RunRow(this, firstEqual(cells, identity, firstRuns), cells)));
     }
 
     /**
      * Returns the index of the first row of the same run as that of the next row: runs of a world with the same levels
      * and draws are the same if their trajectories are, because they differ in their seeds only.
      */
-    private int firstEqual(List<String> cells, Map<List<String>, Integer> firstRuns) {
+    private int firstEqual(List<String> cells, int[] identity, Map<List<String>, Integer> firstRuns) {
         int next = rows.size();
         int hash = index("trajectory_hash");
         if (plan.seedCount() == 1 || hash < 0 || cells.get(hash).isEmpty()) {
             return next;
         }
-        List<String> run = identityColumns().mapToObj(cells::get).toList();
+        List<String> run = Arrays.stream(identity).mapToObj(cells::get).toList();
         return firstRuns.computeIfAbsent(run, first -> next);
     }
 
-    private IntStream identityColumns() {
+    private int[] identityColumns() {
         return Stream.concat(
                         Stream.of("trajectory_hash", "world"),
                         plan.factorColumns().stream().map(Column::name))
                 .mapToInt(this::index)
-                .filter(index -> index >= 0);
+                .filter(index -> index >= 0)
+                .toArray();
     }
 
     /** Reads the campaign of a folder. Throws an exception if there is none, or a row cannot be used. */
