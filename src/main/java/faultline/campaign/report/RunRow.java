@@ -1,5 +1,6 @@
 package faultline.campaign.report;
 
+import faultline.campaign.run.RowCheck;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -20,15 +21,9 @@ record RunRow(CampaignRuns campaign, int firstEqual, List<String> cells) {
         return index < 0 ? "" : cells.get(index);
     }
 
-    /** Returns a cell as a number, empty if it holds no finite one: some programs write NaN for a missing number. */
+    /** Returns a cell as a number, empty if it holds none. */
     OptionalDouble number(String column) {
-        String text = text(column);
-        try {
-            double number = text.isEmpty() ? Double.NaN : Double.parseDouble(text);
-            return Double.isFinite(number) ? OptionalDouble.of(number) : OptionalDouble.empty();
-        } catch (NumberFormatException e) {
-            return OptionalDouble.empty();
-        }
+        return RowCheck.number(text(column));
     }
 
     /** Returns 1 if the robot carried on, 0 if not; empty for a run without a verdict. */

@@ -1,18 +1,24 @@
 package faultline.campaign.run;
 
+import faultline.io.DecimalText;
 import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioLimits;
+import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Checks a row of {@code runs.csv}, which people and other programs may have changed. */
 public final class RowCheck {
+
+    private static final Pattern RUN = Pattern.compile("\\d{1,18}");
 
     private static final Set<String> FLAGS = Set.of("", "0", "1");
 
@@ -29,7 +35,7 @@ public final class RowCheck {
      */
     public static Optional<Message> findProblem(UnaryOperator<String> cell) {
         String outcome = cell.apply("outcome");
-        if (!cell.apply("run").matches("\\d{1,18}")) {
+        if (!RUN.matcher(cell.apply("run")).matches()) {
             return problem("run", cell, ResultsProblem.WHOLE_NUMBER.with());
         }
         boolean broken = outcome.equals(Outcome.BROKEN);
@@ -42,7 +48,8 @@ public final class RowCheck {
                 return problem(column, cell, ResultsProblem.FLAG.with());
             }
         }
-        if (!isNumber(cell.apply("wall_share")) && !cell.apply("wall_share").isEmpty()) {
+        if (number(cell.apply("wall_share")).isEmpty()
+                && !cell.apply("wall_share").isEmpty()) {
             return problem("wall_share", cell, ResultsProblem.NUMBER.with());
         }
         if (!isDuration(cell.apply("simulated_s")) && !broken) {
@@ -77,12 +84,20 @@ public final class RowCheck {
         return cells == 1 ? ResultsProblem.ONE_CELL.with(expected) : ResultsProblem.CELL_COUNT.with(cells, expected);
     }
 
-    private static boolean isNumber(String text) {
-        return text.matches("-?\\d{1,18}(\\.\\d{1,18})?(E-?\\d{1,2})?");
+    /**
+     * {@return the number in a cell; empty if it holds no finite one, as some programs write NaN for a missing number}
+     *
+     * @param text the text of the cell
+     */
+    public static OptionalDouble number(String text) {
+        Optional<BigDecimal> exact = DecimalText.parse(text);
+        double number = exact.isPresent() ? DecimalText.toDouble(exact.get(), text) : Double.NaN;
+        return Double.isFinite(number) ? OptionalDouble.of(number) : OptionalDouble.empty();
     }
 
     private static boolean isDuration(String text) {
-        return isNumber(text) && !text.startsWith("-") && Double.parseDouble(text) <= ScenarioLimits.MAX_DURATION;
+        double seconds = number(text).orElse(-1);
+        return seconds >= 0 && seconds <= ScenarioLimits.MAX_DURATION;
     }
 
     private static Optional<Message> problem(String column, UnaryOperator<String> cell, Message expected) {
