@@ -13,7 +13,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -186,10 +185,9 @@ public final class CampaignReport {
 
     /** Returns the runs that have a separate scenario file; none in an unfinished campaign. */
     private String worstRuns(List<Path> jars) {
-        List<RunRow> worst = campaign.rows().stream()
-                .filter(row -> Outcome.ofWord(row.text("outcome")).isPresent())
-                .sorted(Comparator.comparing(CampaignReport::rank))
-                .limit(WorstRuns.COUNT)
+        WorstRuns.WorstList<RunRow> list = new WorstRuns.WorstList<>();
+        campaign.rows().forEach(row -> list.add(row::text, row));
+        List<RunRow> worst = list.runs().stream()
                 .filter(row -> Files.exists(folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))))))
                 .toList();
         if (worst.isEmpty()) {
@@ -204,13 +202,6 @@ public final class CampaignReport {
                 "Worst runs",
                 Html.paragraph("Each command opens the run in the window, from its start.")
                         + Html.table("worst", List.of("run", "world", "what varies", "outcome", "command"), rows));
-    }
-
-    private static WorstRuns.Rank rank(RunRow row) {
-        return new WorstRuns.Rank(
-                Outcome.ofWord(row.text("outcome")).orElseThrow(),
-                row.number("wall_share").orElse(0),
-                Long.parseLong(row.text("run")));
     }
 
     private List<String> worstRow(RunRow row, String options) {

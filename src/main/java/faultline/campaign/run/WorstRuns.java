@@ -7,14 +7,16 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
-import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -39,10 +41,19 @@ public final class WorstRuns {
      * @param share the share of the wall that was passed, in [0, 1]; 0 if it is not known
      * @param run the number of the run
      */
-    public record Rank(Outcome outcome, double share, long run) implements Comparable<Rank> {
+    private record Rank(Outcome outcome, double share, long run) implements Comparable<Rank> {
 
         private static final Comparator<Rank> WORST_FIRST =
                 Comparator.comparing(Rank::outcome).thenComparing(Rank::share).thenComparing(Rank::run);
+
+        /** Returns the rank of a row that can be used, given its cells by column; empty if the run is broken. */
+        private static Optional<Rank> of(UnaryOperator<String> cell) {
+            return Outcome.ofWord(cell.apply("outcome"))
+                    .map(outcome -> new Rank(
+                            outcome,
+                            RowCheck.number(cell.apply("wall_share")).orElse(0),
+                            Long.parseLong(cell.apply("run"))));
+        }
 
         @Override
         public int compareTo(Rank other) {
@@ -50,10 +61,32 @@ public final class WorstRuns {
         }
     }
 
-    /** A run and its duration, seconds. */
-    private record Candidate(Rank rank, double simulatedSeconds) {
+    /**
+     * Keeps the worst of the runs that are added to it.
+     *
+     * @param <T> the type of what is kept of a run
+     */
+    public static final class WorstList<T> {
 
-        private static final Comparator<Candidate> WORST_FIRST = Comparator.comparing(Candidate::rank);
+        private final NavigableMap<Rank, T> runs = new TreeMap<>();
+
+        /**
+         * Adds a run, unless it is broken or {@value WorstRuns#COUNT} others are worse.
+         *
+         * @param cell the function that returns the text of a column of its row
+         * @param run what is kept of it
+         */
+        public void add(UnaryOperator<String> cell, T run) {
+            Rank.of(cell).ifPresent(rank -> runs.put(rank, run));
+            if (runs.size() > COUNT) {
+                runs.pollLastEntry();
+            }
+        }
+
+        /** {@return what is kept of the worst runs, the worst one first} */
+        public List<T> runs() {
+            return List.copyOf(runs.values());
+        }
     }
 
     WorstRuns(CampaignPlan plan, CampaignFolder folder) {
@@ -77,13 +110,13 @@ public final class WorstRuns {
 
     /** Writes the scenario files, and removes those of an earlier table. */
     void writeReplays() throws IOException {
-        Collection<Candidate> worst = find();
+        WorstList<Double> worst = find();
         Files.createDirectories(folder.replays());
         Set<String> names = new HashSet<>();
-        for (Candidate candidate : worst) {
-            Path file = folder.runs().resolveSibling(replayName(candidate.rank.run));
+        for (Map.Entry<Rank, Double> run : worst.runs.entrySet()) {
+            Path file = folder.runs().resolveSibling(replayName(run.getKey().run));
             names.add(file.getFileName().toString());
-            replay(candidate).save(file);
+            replay(run.getKey(), run.getValue()).save(file);
         }
         try (Stream<Path> files = Files.list(folder.replays())) {
             for (Path file : files.filter(WorstRuns::isReplay)
@@ -94,16 +127,17 @@ public final class WorstRuns {
         }
     }
 
-    private Scenario replay(Candidate candidate) throws IOException {
+    private Scenario replay(Rank rank, double simulatedSeconds) throws IOException {
         try {
-            return ReplayScenario.of(plan, candidate.rank.run, candidate.rank.outcome, candidate.simulatedSeconds);
+            return ReplayScenario.of(plan, rank.run, rank.outcome, simulatedSeconds);
         } catch (ScenarioException e) {
-            throw new IOException("run " + candidate.rank.run + " cannot be replayed: " + e.getMessage(), e);
+            throw new IOException("run " + rank.run + " cannot be replayed: " + e.getMessage(), e);
         }
     }
 
-    private Collection<Candidate> find() throws IOException {
-        PriorityQueue<Candidate> worst = new PriorityQueue<>(Candidate.WORST_FIRST.reversed());
+    /** Returns the durations of the worst runs, seconds. */
+    private WorstList<Double> find() throws IOException {
+        WorstList<Double> worst = new WorstList<>();
         try (LineReader in = new LineReader(folder.runs())) {
             List<String> header = Csv.cells(in.next().strip());
             long number = 1;
@@ -111,11 +145,9 @@ public final class WorstRuns {
                 List<String> cells = Csv.cells(line.stripTrailing());
                 number++;
                 requireGood(header, cells, number);
-                Outcome.ofWord(cells.get(header.indexOf("outcome")))
-                        .ifPresent(outcome -> worst.add(candidate(cells, header, outcome)));
-                if (worst.size() > COUNT) {
-                    worst.poll();
-                }
+                double seconds = RowCheck.number(cells.get(header.indexOf("simulated_s")))
+                        .orElse(0);
+                worst.add(column -> cells.get(header.indexOf(column)), seconds);
             }
         }
         return worst;
@@ -126,11 +158,5 @@ public final class WorstRuns {
         if (problem.isPresent()) {
             throw new IOException(folder.runs() + ":" + line + ": " + problem.get());
         }
-    }
-
-    private static Candidate candidate(List<String> cells, List<String> header, Outcome outcome) {
-        String share = cells.get(header.indexOf("wall_share"));
-        Rank rank = new Rank(outcome, share.isEmpty() ? 0 : Double.parseDouble(share), Long.parseLong(cells.get(0)));
-        return new Candidate(rank, Double.parseDouble(cells.get(header.indexOf("simulated_s"))));
     }
 }
