@@ -2,6 +2,7 @@ package faultline.campaign.report;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
+import faultline.campaign.run.CarriedOnText;
 import faultline.campaign.run.Outcome;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.WorstRuns;
@@ -86,9 +87,9 @@ public final class CampaignReport {
         String size = campaign.rows().size() + " of " + Html.count(plan.runCount(), "run") + ": "
                 + Html.count(plan.worldCount(), "world") + ", " + Html.count(plan.seedCount(), "seed") + " each, "
                 + Html.count(plan.cellCount(), "combination") + " in each. ";
-        String meaning =
-                "A robot carries on if it touches nothing and, in the time of two laps after the fault, passes at"
-                        + " least 0.80 of the wall that it follows within 0.15 m of the wanted path. ";
+        String meaning = "A robot carries on if it touches nothing and, in the time of " + CarriedOnText.LAPS
+                + " after the fault, passes at least " + CarriedOnText.SHARE
+                + " of the wall that it follows within " + CarriedOnText.DISTANCE + " of the wanted path. ";
         return Html.section(
                 "Summary",
                 Html.paragraph(size + meaning + independence())

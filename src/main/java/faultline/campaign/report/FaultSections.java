@@ -18,6 +18,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** The sections on faults: the survival matrix and the delays of detection. */
 final class FaultSections {
@@ -189,12 +190,15 @@ final class FaultSections {
             }
             sets.add(new SensorSet(name, sensors, Survival.of(rows)));
         });
+        String percent = Survival.percentText(SUFFICIENT) + " %";
         return Html.section(
                 "Minimum sets of sensors",
-                Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimal if no"
-                                + " smaller set inside it is sufficient. " + count(sets, SensorSet::isSufficient)
+                Html.paragraph("A set is sufficient if the robot carries on in at least " + percent
+                                + " of its runs, minimal if no smaller set inside it is sufficient. "
+                                + count(sets, SensorSet::isSufficient)
                                 + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
-                                + " interval is at 85 % or more, which requires 22 independent runs or more; "
+                                + " interval is at " + percent + " or more, which requires " + certainRuns()
+                                + " independent runs or more; "
                                 + count(sets, SensorSet::isCertain) + " are certain.")
                         + minimumTable(sets)
                         + "<h3>All sets</h3>\n"
@@ -202,6 +206,14 @@ final class FaultSections {
                                 "numbers",
                                 List.of("sensors on", "sets", "sufficient", "best set", "carried on"),
                                 bySize(sets)));
+    }
+
+    /** Returns the least number of runs of a certain set, if the robot carries on in all of them. */
+    private static int certainRuns() {
+        return IntStream.iterate(1, runs -> runs + 1)
+                .filter(runs -> Interval.wilson(runs, runs).low() >= SUFFICIENT)
+                .findFirst()
+                .getAsInt();
     }
 
     /**

@@ -39,9 +39,10 @@ public final class ResultColumns {
             new ResultColumn(
                     "carried_on",
                     "",
-                    "1 if there was no contact and 0.80 of the wall was passed within 0.15 m of the wanted path in"
-                            + " the time of two laps after the fault, each its length divided by the robot's speed plus"
-                            + " 10 s for its corners; 0 if not, empty if undecided",
+                    "1 if there was no contact and " + CarriedOnText.SHARE + " of the wall was passed within "
+                            + CarriedOnText.DISTANCE + " of the wanted path in the time of " + CarriedOnText.LAPS
+                            + " after the fault, each its length divided by the robot's speed plus "
+                            + CarriedOnText.CORNERS + " for its corners; 0 if not, empty if undecided",
                     run -> carriedOn(run.result(), run.carry())),
             new ResultColumn(
                     "collided",
@@ -59,7 +60,8 @@ public final class ResultColumns {
             new ResultColumn(
                     "wall_share",
                     "",
-                    "share of the wall that was passed within 0.15 m of the wanted path since the clock started",
+                    "share of the wall that was passed within " + CarriedOnText.DISTANCE
+                            + " of the wanted path since the clock started",
                     run -> fixed(run.carry().share().orElse(Double.NaN), 4)),
             new ResultColumn(
                     "laps",

@@ -35,10 +35,10 @@ public final class CarryOnMetrics implements TickObserver {
     public static final double REQUIRED_SHARE = 0.80;
 
     /** The time that the robot has, in laps. */
-    private static final double ALLOWED_LAPS = 2;
+    public static final double ALLOWED_LAPS = 2;
 
     /** The time that a lap takes in addition to its length divided by the robot's speed, seconds. */
-    private static final double CORNER_TIME = 10;
+    public static final double CORNER_TIME = 10;
 
     /** The places of the circuit are this far apart, metres. */
     private static final double PLACE_SPACING = 0.02;
@@ -47,7 +47,7 @@ public final class CarryOnMetrics implements TickObserver {
     private static final double JOIN_DISTANCE = 0.04;
 
     /** A place is passed if the robot's centre comes within this of it, metres. */
-    private static final double PASSING_DISTANCE = 0.15;
+    public static final double PASSING_DISTANCE = 0.15;
 
     /** The least distance between two points of the robot's path that are looked at, metres. */
     private static final double MIN_STEP = 0.02;

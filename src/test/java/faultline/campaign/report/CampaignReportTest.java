@@ -84,6 +84,9 @@ class CampaignReportTest {
         String without = reportOf(elements);
         assertFalse(without.contains(sentence));
         assertTrue(without.contains("All runs are in one world"), without);
+        String limits = "in the time of 2 laps after the fault, passes at least 0.80 of the wall that it follows within"
+                + " 0.15 m of the wanted path. ";
+        assertTrue(without.contains(limits), without);
         folder = folder.resolve("faulty");
         String fault = "<timeline><fault at=\"1\" sensor=\"front\" kind=\"off\"/></timeline></scenario>";
         String html = reportOf(elements, SamplePlan.ROOM.replace("</scenario>", fault));

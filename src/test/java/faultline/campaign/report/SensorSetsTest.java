@@ -78,6 +78,8 @@ class SensorSetsTest {
         assertTrue(section().contains(row("front") + "<td>1</td><td>yes</td>"), section());
         assertTrue(section().contains(row("left") + "<td>1</td><td>no</td>"), section());
         assertTrue(section().contains("; 1 are certain."), section());
+        String limits = "interval is at 85 % or more, which requires 22 independent runs or more;";
+        assertTrue(section().contains(limits), section());
     }
 
     @Test
