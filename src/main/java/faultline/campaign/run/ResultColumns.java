@@ -42,12 +42,12 @@ public final class ResultColumns {
                     "1 if there was no contact and " + CarriedOnText.SHARE + " of the wall was passed within "
                             + CarriedOnText.DISTANCE + " of the wanted path in the time of " + CarriedOnText.LAPS
                             + " after the fault, each its length divided by the robot's speed plus "
-                            + CarriedOnText.CORNERS + " for its corners; 0 if not, empty if undecided",
+                            + CarriedOnText.CORNERS + " for its corners; 0 if not, empty if undecided or broken",
                     run -> carriedOn(run.result(), run.carry())),
             new ResultColumn(
                     "collided",
                     "",
-                    "1 if the robot touched something, 0 if not",
+                    "1 if the robot touched something, 0 if not, empty if the run is broken",
                     run -> run.result().collision().isPresent() ? "1" : "0"),
             new ResultColumn("collision_time_s", "s", "time of the first contact", run -> run.result()
                     .collision()

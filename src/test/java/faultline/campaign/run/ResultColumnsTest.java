@@ -190,4 +190,14 @@ class ResultColumnsTest {
         plan.factorColumns().forEach(column -> cells.remove(column.name()));
         assertEquals(Set.of(""), Set.copyOf(cells.values()));
     }
+
+    @Test
+    void columnsWithFlagsSayThatBrokenRunsHaveNone() throws Exception {
+        List<String> meanings = ResultColumns.of(twoSeedsAndTwoFaults()).stream()
+                .filter(column -> List.of("carried_on", "collided").contains(column.name()))
+                .map(Column::meaning)
+                .toList();
+        assertEquals(2, meanings.size());
+        meanings.forEach(meaning -> assertTrue(meaning.matches(".*, empty if .*broken"), meaning));
+    }
 }
