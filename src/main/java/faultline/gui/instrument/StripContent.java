@@ -67,7 +67,10 @@ public record StripContent(
         return surface.toSvg();
     }
 
-    /** Returns the text of a table with one row for each recorded tick or interval of either run in the shown times. */
+    /**
+     * Returns the text of a table with one row for each recorded tick or interval in the shown times. The intervals are
+     * those of the run, also beyond its end if the reference run is longer.
+     */
     public String toCsv() {
         return StripTable.format(this);
     }

@@ -45,6 +45,11 @@ record StripData(TraceLevel level, List<String> sensors, long from, long to, dou
         return new StripData(level, sensors, Math.max(0, from), Math.max(from, to), dt);
     }
 
+    /** Returns the length of a bucket, seconds. */
+    double bucketLength() {
+        return level.ticksPerBucket() * dt;
+    }
+
     /** Returns the centre of a bucket, seconds. */
     double timeOf(long bucket) {
         return (bucket + 0.5) * level.ticksPerBucket() * dt - dt / 2;

@@ -176,7 +176,7 @@ final class StripView extends AccessibleComponent {
     void movePointer(int direction, double share) {
         scale().filter(scale -> !scale.isEmpty()).ifPresent(scale -> {
             StripData data = scale.data();
-            double bucketLength = data.level().ticksPerBucket() * data.dt();
+            double bucketLength = data.bucketLength();
             double pixel = span.length() / scale.plot().area().width();
             long buckets = Math.round(Math.max(bucketLength, Math.max(pixel, share * span.length())) / bucketLength);
             long newest = data.to() - 1;
