@@ -22,7 +22,9 @@ import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
 import java.awt.Color;
 import java.awt.geom.Rectangle2D;
+import java.util.BitSet;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,7 +40,7 @@ final class StripPainter {
     private static final int RIBBON_HEIGHT = 15;
     private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;
-    /** Of all shades together. */
+    /** The opacity of all shades together. */
     private static final int MAX_ALPHA = 90;
 
     private static final int GRID_ALPHA = 75;
@@ -50,6 +52,9 @@ final class StripPainter {
     private final PixelRectangle area;
     /** The y coordinate of the upper edge of the ribbon, pixels. */
     private final double ribbonTop;
+
+    /** The pixel columns that have a line; another one of its style would show nothing new, and many would be slow. */
+    private final Map<LineStyle, BitSet> markedColumns = new HashMap<>();
 
     private final TextStyle textStyle;
     private final TextStyle mutedStyle;
@@ -166,9 +171,26 @@ final class StripPainter {
     private void paintMoment(double time, Color colour, DashPattern dash) {
         if (time >= content.span().start() && time <= content.span().end()) {
             double at = scale.plot().x(time);
+            LineStyle style = new LineStyle(colour, 1, dash);
+            BitSet columns = markedColumns.computeIfAbsent(style, first -> new BitSet());
+            int column = (int) at;
+            if (!columns.get(column)) {
+                columns.set(column);
+                paintMark(at, style);
+            }
+        }
+    }
+
+    /** Paints a vertical line; a solid one as an area, which takes a small part of the time. */
+    private void paintMark(double x, LineStyle style) {
+        if (style.dash() == DashPattern.SOLID) {
+            surface.fill(
+                    new Rectangle2D.Double(x - style.width() / 2, area.y(), style.width(), area.height()),
+                    style.colour());
+        } else {
             surface.draw(
-                    Shapes.polyline(List.of(new Vector2(at, area.y()), new Vector2(at, area.y() + area.height()))),
-                    new LineStyle(colour, 1, dash));
+                    Shapes.polyline(List.of(new Vector2(x, area.y()), new Vector2(x, area.y() + area.height()))),
+                    style);
         }
     }
 
