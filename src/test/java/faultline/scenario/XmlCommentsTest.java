@@ -9,6 +9,7 @@ import faultline.scenario.xml.XmlComments;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Random;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -101,6 +102,52 @@ class XmlCommentsTest {
     /** As it is written, without the attributes. */
     private static String rewritten(String file, Scenario scenario) {
         return ScenarioWriter.toText(scenario, readComments(file)).replaceAll("(<\\w+)( [\\w]+=\"[^\"]*\")+", "$1");
+    }
+
+    private static final String EVENTS =
+            """
+              <timeline>
+                <!-- first: away -->
+                <move obstacle="p" at="1" x="4" y="3"/>
+                <!-- second: back -->
+                <move at="2.0" obstacle="p" x="4" y="2"/>
+                <!-- third: away again -->
+                <move obstacle="p" at="3" x="4" y="3"/>
+              </timeline>
+            """;
+
+    /** Returns the times of the moves and the first words of the comments in the order in which they are written. */
+    private static String order(String timeline) throws ScenarioException {
+        String start =
+                """
+                <scenario xmlns="urn:faultline:scenario:1" name="Moves">
+                  <world width="6" height="4"><circle id="p" x="4" y="2" radius="0.1"/></world>
+                  <robot x="1" y="1"/>
+                """;
+        Scenario edited = SampleScenario.read(start + timeline + "</scenario>");
+        String text = ScenarioWriter.toText(edited, readComments(start + EVENTS + "</scenario>"));
+        return Pattern.compile("<move at=\"([0-9.]+)|<!-- (\\w+)")
+                .matcher(text)
+                .results()
+                .map(found -> found.group(1) == null ? found.group(2) : found.group(1))
+                .collect(Collectors.joining(" "));
+    }
+
+    @Test
+    void aCommentStaysBeforeItsEventWhenAnotherEventIsRemovedOrAdded() throws ScenarioException {
+        assertEquals("first 1 second 2 third 3", order(EVENTS));
+        assertEquals("second 2 third 3 first", order(EVENTS.replaceAll(".*at=\"1\".*", "")));
+        assertEquals("first 1 third 3 second", order(EVENTS.replaceAll(".*at=\"2.0\".*", "")));
+        String added = "<move obstacle=\"p\" at=\"0.5\" x=\"3\" y=\"3\"/>";
+        assertEquals("0.5 first 1 second 2 third 3", order(EVENTS.replace("<!-- first: away -->", added)));
+    }
+
+    @Test
+    void aCommentStaysBeforeItsEventWhenThatIsChangedOrMovedInTime() throws ScenarioException {
+        assertEquals("first 1 second 2 third 3", order(EVENTS.replace("x=\"4\"", "x=\"3\"")));
+        String first = "<move obstacle=\"p\" at=\"1\" x=\"4\" y=\"3\"/>";
+        String moved = EVENTS.replace(first, "").replace("</timeline>", first.replace("1", "5") + "</timeline>");
+        assertEquals("second 2 third 3 first 5", order(moved));
     }
 
     @Test

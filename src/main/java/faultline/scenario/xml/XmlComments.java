@@ -3,8 +3,12 @@ package faultline.scenario.xml;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
@@ -13,24 +17,18 @@ import org.xml.sax.ext.DefaultHandler2;
 
 /**
  * The comments of a file, so that saving does not lose what a person has written. A comment stays before the element
- * that follows it, wherever that element is written; if the element was removed, the comment moves to the end of its
- * parent.
+ * that follows it, wherever that element is written in its parent; if the element was removed, the comment moves to the
+ * end of its parent. {@link ElementMatch} says how an element is found.
  */
 public final class XmlComments {
 
     /** No comments. */
-    public static final XmlComments NONE = new XmlComments(List.of());
+    public static final XmlComments NONE = new XmlComments(CommentedElement.document());
 
-    /**
-     * The text of a comment, its index in the file, from 0, and the path of the next element in the same parent; if
-     * there is none, the parent's path and a slash.
-     */
-    record XmlComment(int index, String anchor, String text) {}
+    private final CommentedElement document;
 
-    private final List<XmlComment> comments;
-
-    private XmlComments(List<XmlComment> all) {
-        this.comments = List.copyOf(all);
+    private XmlComments(CommentedElement document) {
+        this.document = document;
     }
 
     /**
@@ -61,25 +59,23 @@ public final class XmlComments {
             reader.setContentHandler(collector);
             reader.setErrorHandler(collector);
             reader.parse(new InputSource(new ByteArrayInputStream(bytes)));
-            return new XmlComments(collector.found);
+            return new XmlComments(collector.open.element());
         } catch (SAXException | IOException broken) {
             return NONE;
         }
     }
 
-    /** Returns the comments in the order of the file. */
-    List<XmlComment> comments() {
-        return comments;
+    /** Returns the document with its comments. */
+    CommentedElement document() {
+        return document;
     }
 
-    /** Collects comments and gives each its anchor when the next element begins. */
+    /** Collects the elements with the comments before them. */
     private static final class Collector extends DefaultHandler2 {
 
-        private final ElementPath path = new ElementPath();
-        private final List<XmlComment> found = new ArrayList<>();
+        private final Deque<CommentedElement> open = new ArrayDeque<>(List.of(CommentedElement.document()));
         private final List<String> pending = new ArrayList<>();
         private int elementCount;
-        private int depth;
 
         @Override
         public void comment(char[] buffer, int start, int length) {
@@ -89,29 +85,28 @@ public final class XmlComments {
         @Override
         public void startElement(String uri, String localName, String qName, Attributes attributes)
                 throws SAXException {
-            if (++elementCount > ScenarioLimits.MAX_ELEMENTS || ++depth > ScenarioLimits.MAX_DEPTH) {
+            if (++elementCount > ScenarioLimits.MAX_ELEMENTS || open.size() > ScenarioLimits.MAX_DEPTH) {
                 throw new SAXException("too many elements, or nested too deep");
             }
-            String id = attributes.getValue("id");
-            path.enter(localName, id == null ? "" : id);
-            flushPending(path.current());
+            Map<String, String> values = new HashMap<>();
+            for (int i = 0; i < attributes.getLength(); i++) {
+                values.put(attributes.getQName(i), attributes.getValue(i));
+            }
+            CommentedElement element = new CommentedElement(localName, values, pending);
+            pending.clear();
+            open.element().addChild(element);
+            open.push(element);
         }
 
         @Override
         public void endElement(String uri, String localName, String qName) {
-            flushPending(path.current() + "/");
-            path.leave();
-            depth--;
+            open.pop().end(pending);
+            pending.clear();
         }
 
         @Override
         public void endDocument() {
-            flushPending("/");
-        }
-
-        private void flushPending(String before) {
-            pending.forEach(text -> found.add(new XmlComment(found.size(), before, text)));
-            pending.clear();
+            open.element().end(pending);
         }
     }
 }

@@ -1,32 +1,21 @@
 package faultline.scenario.xml;
 
 import faultline.io.DecimalText;
-import faultline.io.XmlText;
-import faultline.scenario.xml.XmlComments.XmlComment;
 import java.util.ArrayDeque;
-import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
-import java.util.Map;
-import java.util.NavigableMap;
-import java.util.Optional;
-import java.util.TreeMap;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Writes indented XML: one element to a line, attributes in the given order, and a person's comments at their places. A
- * start tag is buffered until it is complete, because the comments before it depend on its id.
+ * Writes indented XML: one element to a line, attributes in the given order, and a person's comments at their places.
+ * The elements are collected first, because the places of comments depend on all elements beside them.
  */
 public final class XmlWriter {
 
     private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    private final StringBuilder startTag = new StringBuilder();
-    private final Deque<String> openElements = new ArrayDeque<>();
-    private final ElementPath path = new ElementPath();
-    /** The comments by anchor. */
-    private final NavigableMap<String, List<XmlComment>> unwrittenComments;
-
-    private String id = "";
+    private final Deque<WrittenElement> openElements = new ArrayDeque<>();
+    private final XmlComments comments;
 
     /**
      * Creates a writer of one file.
@@ -34,8 +23,7 @@ public final class XmlWriter {
      * @param comments the comments that a person has put into it
      */
     public XmlWriter(XmlComments comments) {
-        unwrittenComments = comments.comments().stream()
-                .collect(Collectors.groupingBy(XmlComment::anchor, TreeMap::new, Collectors.toList()));
+        this.comments = comments;
     }
 
     /**
@@ -45,9 +33,11 @@ public final class XmlWriter {
      * @return this writer
      */
     public XmlWriter beginElement(String name) {
-        finishStartTag(">\n");
-        startTag.append('<').append(name);
-        openElements.push(name);
+        WrittenElement element = new WrittenElement(name);
+        if (!openElements.isEmpty()) {
+            openElements.element().addChild(element);
+        }
+        openElements.push(element);
         return this;
     }
 
@@ -59,14 +49,7 @@ public final class XmlWriter {
      * @return this writer
      */
     public XmlWriter attribute(String name, String value) {
-        if (name.equals("id")) {
-            id = value;
-        }
-        startTag.append(' ')
-                .append(name)
-                .append("=\"")
-                .append(XmlText.escapeAttribute(value))
-                .append('"');
+        openElements.element().addAttribute(name, value);
         return this;
     }
 
@@ -109,19 +92,9 @@ public final class XmlWriter {
      * @return this writer
      */
     public XmlWriter endElement() {
-        boolean empty = !startTag.isEmpty();
-        if (empty) {
-            writeStartTag();
-            empty = commentsInside().isEmpty();
-            out.append(empty ? "/>\n" : ">\n");
-        }
-        String name = closeElement();
-        if (!empty) {
-            indent(openElements.size());
-            out.append("</").append(name).append(">\n");
-        }
+        WrittenElement element = openElements.pop();
         if (openElements.isEmpty()) {
-            writeRemainingComments();
+            writeChildren(List.of(element), comments.document(), 0);
         }
         return this;
     }
@@ -132,57 +105,48 @@ public final class XmlWriter {
      * @param text the text
      */
     public void endTextElement(String text) {
-        String name = openElements.peek();
-        finishStartTag(">");
-        out.append(XmlText.escapeText(text)).append("</").append(name).append(">\n");
-        openElements.pop();
-        path.leave();
+        openElements.pop().setText(text);
     }
 
-    private void finishStartTag(String end) {
-        if (!startTag.isEmpty()) {
-            writeStartTag();
-            out.append(end);
+    /** Writes elements that have replaced the children of an element, and the comments that are left at the end. */
+    private void writeChildren(List<WrittenElement> children, CommentedElement parent, int depth) {
+        ElementMatch match = new ElementMatch(parent.children(), children);
+        for (WrittenElement child : children) {
+            writeComments(match.before(child).before(), depth);
+            write(child, match.before(child), depth);
         }
+        Set<CommentedElement> containers = children.stream()
+                .filter(child -> !child.isText())
+                .map(match::before)
+                .collect(Collectors.toSet());
+        Set<CommentedElement> matched = match.matched();
+        for (CommentedElement old : parent.children()) {
+            writeComments(matched.contains(old) ? List.of() : old.before(), depth);
+            writeComments(containers.contains(old) ? List.of() : old.inside(), depth);
+        }
+        writeComments(parent.atEnd(), depth);
     }
 
-    /** Writes the buffered start tag without its closing bracket. */
-    private void writeStartTag() {
-        path.enter(openElements.peek(), id);
-        id = "";
-        Optional.ofNullable(unwrittenComments.remove(path.current()))
-                .ifPresent(before -> writeComments(before, openElements.size() - 1));
-        indent(openElements.size() - 1);
-        out.append(startTag);
-        startTag.setLength(0);
-    }
-
-    private String closeElement() {
-        writeRemainingComments();
-        path.leave();
-        return openElements.pop();
-    }
-
-    /** Writes the comments that are left in the open element. */
-    private void writeRemainingComments() {
-        writeComments(
-                commentsInside().values().stream()
-                        .flatMap(List::stream)
-                        .sorted(Comparator.comparingInt(XmlComment::index))
-                        .toList(),
-                openElements.size());
-        commentsInside().clear();
-    }
-
-    /** Returns the comments whose anchors begin with the path of the open element and a slash. */
-    private Map<String, List<XmlComment>> commentsInside() {
-        return unwrittenComments.subMap(path.current() + "/", path.current() + (char) ('/' + 1));
-    }
-
-    private void writeComments(List<XmlComment> some, int depth) {
-        for (XmlComment comment : some) {
+    private void write(WrittenElement element, CommentedElement before, int depth) {
+        indent(depth);
+        out.append(element.startTag());
+        if (element.isText()) {
+            out.append('>').append(element.escapedText());
+        } else if (element.children().isEmpty() && before.inside().isEmpty()) {
+            out.append("/>\n");
+            return;
+        } else {
+            out.append(">\n");
+            writeChildren(element.children(), before, depth + 1);
             indent(depth);
-            out.append("<!--").append(comment.text()).append("-->\n");
+        }
+        out.append("</").append(element.name()).append(">\n");
+    }
+
+    private void writeComments(List<String> texts, int depth) {
+        for (String text : texts) {
+            indent(depth);
+            out.append("<!--").append(text).append("-->\n");
         }
     }
 
