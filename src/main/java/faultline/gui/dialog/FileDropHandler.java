@@ -54,9 +54,21 @@ final class FileDropHandler extends TransferHandler {
             return false;
         }
         try {
-            List<Path> files = filesOf(support.getTransferable());
+            List<File> dropped = droppedFiles(support.getTransferable());
+            dropped.stream()
+                    .filter(file -> !FileDialogs.isPath(file))
+                    .findFirst()
+                    .ifPresent(file -> note.accept(Messages.get("files.badName", file.getName())));
+            List<Path> files = dropped.isEmpty()
+                    ? linkedFiles(support.getTransferable())
+                    : dropped.stream()
+                            .filter(FileDialogs::isPath)
+                            .map(File::toPath)
+                            .toList();
             if (files.isEmpty()) {
-                note.accept(Messages.get("note.noLocalFile"));
+                if (dropped.isEmpty()) {
+                    note.accept(Messages.get("note.noLocalFile"));
+                }
                 return false;
             }
             EventQueue.invokeLater(() -> opener.accept(files));
@@ -66,16 +78,17 @@ final class FileDropHandler extends TransferHandler {
         }
     }
 
-    /** Returns the files of this computer; Java leaves out those with the name of a host, even of this one. */
-    private static List<Path> filesOf(Transferable dropped) throws UnsupportedFlavorException, IOException {
+    /** Returns the files of this computer that Java finds; it leaves out those with a host name, even of this one. */
+    private static List<File> droppedFiles(Transferable dropped) throws UnsupportedFlavorException, IOException {
         Object data = dropped.getTransferData(DataFlavor.javaFileListFlavor);
         Stream<?> files = data instanceof List<?> list ? list.stream() : Stream.empty();
-        List<Path> found = files.filter(File.class::isInstance)
-                .map(file -> ((File) file).toPath())
-                .toList();
-        return found.isEmpty() && dropped.isDataFlavorSupported(URI_LIST)
+        return files.filter(File.class::isInstance).map(File.class::cast).toList();
+    }
+
+    private static List<Path> linkedFiles(Transferable dropped) throws UnsupportedFlavorException, IOException {
+        return dropped.isDataFlavorSupported(URI_LIST)
                 ? filesOf(dropped.getTransferData(URI_LIST).toString())
-                : found;
+                : List.of();
     }
 
     private static List<Path> filesOf(String uris) {

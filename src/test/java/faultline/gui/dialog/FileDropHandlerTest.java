@@ -6,9 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.FileTransferable;
+import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
+import java.io.File;
 import java.net.URI;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -56,6 +58,36 @@ class FileDropHandlerTest {
         assertTrue(drop.importData(support(new LinkTransferable("# comment\r\nfile://localhost/tmp/a%20b.xml\r\n"))));
         runOnEdt(() -> assertEquals(List.of(List.of(Path.of(URI.create("file:///tmp/a%20b.xml")))), opened));
         assertEquals(List.of(), notes);
+    }
+
+    /** The file system refuses some names, such as those with letters that the encoding of the locale lacks. */
+    @Test
+    void aFileWithANameThatTheFileSystemRefusesIsLeftOut() throws Exception {
+        File good = new File("a.xml");
+        File bad = new File("b\0.xml");
+        assertFalse(drop.importData(support(new RefusedTransferable(List.of(bad)))));
+        assertTrue(drop.importData(support(new RefusedTransferable(List.of(good, bad)))));
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of(List.of(good.toPath())), opened);
+        String note = "b\0.xml is not a valid file name.";
+        assertEquals(List.of(note, note), notes);
+    }
+
+    private record RefusedTransferable(List<File> files) implements Transferable {
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return flavor.equals(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavor) {
+            return files;
+        }
     }
 
     private static TransferSupport support(Transferable what) {
