@@ -6,6 +6,7 @@ import faultline.external.ControllerChoice;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Notes;
 import faultline.gui.action.UiAction;
+import faultline.gui.document.BackgroundPoll;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.RunController;
@@ -60,6 +61,8 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     /** Whether the ghost starts with the next session. */
     private boolean ghostPending;
 
+    /** Reads the times of the files of the session's controller. */
+    private BackgroundPoll poll = new BackgroundPoll();
     /** The times of the files that the controller of the session was loaded from. */
     private Map<Path, FileTime> files = Map.of();
     /** The file that has changed last, null if none has changed since the controller was loaded. */
@@ -223,6 +226,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         watch.stop();
         // The restart has loaded a changed file.
         files = Map.of();
+        poll = new BackgroundPoll();
         changedFile = null;
         updateTexts();
         ControllerChoice chosen = started;
@@ -269,7 +273,7 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
     /** Checks in the background whether a file of the session's controller has changed. */
     void checkFiles() {
         ControllerChoice chosen = started;
-        BackgroundTasks.compute(() -> times(chosen.files()), newCheck(), failure -> {});
+        poll.compute(() -> times(chosen.files()), newCheck(), failure -> {});
     }
 
     /**

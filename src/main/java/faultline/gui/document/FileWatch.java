@@ -38,7 +38,7 @@ public final class FileWatch implements AutoCloseable {
     /** Null before the first poll. */
     private FileVersion lastSeen;
 
-    private boolean polling;
+    private final BackgroundPoll poll = new BackgroundPoll();
 
     /** A version of a file, as far as it is known without reading the file; the time is null if there is no file. */
     private record FileVersion(Path file, FileTime modified, long size) {}
@@ -79,12 +79,11 @@ public final class FileWatch implements AutoCloseable {
     /** Polls the file, asynchronously. */
     void poll() {
         Optional<Path> file = workspace.file();
-        if (!polling && file.isPresent()) {
-            polling = true;
+        if (file.isPresent()) {
             FileVersion seen = lastSeen;
             FileVersion read = lastRead;
             Scenario saved = workspace.savedScenario().orElse(null);
-            BackgroundTasks.compute(
+            poll.compute(
                     () -> inspect(file.get(), seen, read),
                     result -> end(saved, () -> inspected(result)),
                     unreadable -> end(saved, () -> notInspected(file.get(), unreadable)));
@@ -93,7 +92,7 @@ public final class FileWatch implements AutoCloseable {
 
     /** Returns whether a poll is active. */
     boolean isPolling() {
-        return polling;
+        return poll.isActive();
     }
 
     private static PollResult inspect(Path file, FileVersion seen, FileVersion read) throws IOException {
@@ -114,7 +113,6 @@ public final class FileWatch implements AutoCloseable {
      * been saved since then, or while another scenario may be about to open.
      */
     private void end(Scenario savedBefore, Runnable result) {
-        polling = false;
         if (!busy.getAsBoolean() && workspace.task().isEmpty() && isSaved(savedBefore)) {
             result.run();
         }
