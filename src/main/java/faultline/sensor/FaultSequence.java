@@ -20,8 +20,9 @@ public final class FaultSequence<F> extends AbstractList<F> implements RandomAcc
 
     /**
      * The history of the sequences that share it: the faults in the order in which they were added, and the places of
-     * those that were removed, in the order of their removal. Only the newest sequence is continued, so a sequence is
-     * what the first additions and removals leave. What a sequence uses is written before it exists and never changes.
+     * those that were removed, in the order of their removal. Only the newest sequence is continued, so a sequence
+     * holds what its first {@code end} additions less its first {@code removals} removals leave. What a sequence uses
+     * is written before it exists and never changes.
      */
     private static final class Storage {
         private Object[] faults;

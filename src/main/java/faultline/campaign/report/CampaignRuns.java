@@ -246,7 +246,7 @@ final class CampaignRuns {
                 .count();
     }
 
-    /** Returns whether a column contains a number. */
+    /** Returns whether a column has a text in any row. */
     boolean has(String column) {
         return index(column) >= 0
                 && rows.stream().anyMatch(row -> !row.text(column).isEmpty());

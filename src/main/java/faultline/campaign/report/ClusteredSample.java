@@ -5,8 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Observations in clusters, such as the runs of several worlds. Observations of one cluster may be correlated, and
- * those that repeat another one add nothing to it but its weight.
+ * Observations in clusters, such as the runs of several worlds. Observations of one cluster may be correlated. A
+ * repetition only adds weight to the observation that it repeats.
  */
 final class ClusteredSample {
 

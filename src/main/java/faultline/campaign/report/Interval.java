@@ -14,8 +14,8 @@ public record Interval(double low, double high) {
     private static final double Z = NORMAL_QUANTILE;
 
     /**
-     * {@return the interval of a share by Wilson (1927)} It is within [0, 1] and also valid for few runs. That of no
-     * success begins at 0, and that of successes only ends at 1.
+     * {@return the interval of a share by Wilson (1927)} It is within [0, 1] and also valid for few runs. With no
+     * success it begins at 0; with successes only it ends at 1.
      *
      * @param successes the successes, not necessarily whole, in [0, n]
      * @param n the number of trials, positive

@@ -1,7 +1,7 @@
 package faultline.gui.instrument;
 
 /**
- * The time span that a chart shows, seconds. The start is negative if the run is shorter; the length is in
+ * The time span that a chart shows, seconds. The start is negative only after zooming or scrolling; the length is in
  * [{@link #MIN_LENGTH}, {@link #MAX_LENGTH}].
  */
 record TimeSpan(double start, double length) {
