@@ -23,6 +23,7 @@ public final class CampaignMerge {
 
     private final List<ShardFolder> parts;
     private final CampaignPlan plan;
+    private final PlannedRows rows;
     /** The manifest of a part. */
     private final CampaignManifest manifest;
 
@@ -66,6 +67,7 @@ public final class CampaignMerge {
             parts.add(new ShardFolder(folder, shard));
         }
         plan = folders.get(0).readPlan();
+        rows = new PlannedRows(plan);
         // A part without runs begins where the next one does, and comes before it.
         parts.sort(Comparator.<ShardFolder>comparingLong(part -> part.shard.firstRun(plan.runCount()))
                 .thenComparingLong(part -> part.shard.endRun(plan.runCount())));
@@ -185,7 +187,7 @@ public final class CampaignMerge {
             if (table.complete) {
                 long first = part.shard.firstRun(plan.runCount());
                 long end = part.shard.endRun(plan.runCount());
-                broken += new TableCopy(file, out).copyChecked(first, end, part);
+                broken += new TableCopy(file, out).copyChecked(rows, first, end, part);
             } else if (Files.exists(file)) {
                 new TableCopy(file, out).copy();
             }
@@ -206,17 +208,22 @@ public final class CampaignMerge {
         }
 
         /** Copies the rows of all runs of a part, and returns the number of those that failed. */
-        long copyChecked(long first, long end, ShardFolder part) throws IOException {
+        long copyChecked(PlannedRows rows, long first, long end, ShardFolder part) throws IOException {
             long next = first;
             long broken = 0;
             try (LineReader in = new LineReader(file)) {
-                List<String> names = Csv.cells(in.next().strip());
-                int outcome = names.indexOf("outcome");
+                int outcome = Csv.cells(in.next().strip()).indexOf("outcome");
                 for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
                     List<String> cells = Csv.cells(line.stripTrailing());
-                    requireGood(names, cells, next, next - first, end - first);
+                    if (next >= end) {
+                        throw wrong(next - first, ResultsProblem.TOO_MANY_ROWS.with(end - first));
+                    }
                     if (!in.isText()) {
-                        throw wrong(next - first, ResultsProblem.NOT_TEXT.with().toString());
+                        throw wrong(next - first, ResultsProblem.NOT_TEXT.with());
+                    }
+                    Optional<Message> problem = rows.findProblem(cells, next);
+                    if (problem.isPresent()) {
+                        throw wrong(next - first, problem.get());
                     }
                     broken += cells.get(outcome).equals(Outcome.BROKEN) ? 1 : 0;
                     out.write(in.bytes());
@@ -230,19 +237,8 @@ public final class CampaignMerge {
             return broken;
         }
 
-        private void requireGood(List<String> names, List<String> cells, long run, long row, long rows)
-                throws IOException {
-            if (row >= rows) {
-                throw wrong(row, ResultsProblem.TOO_MANY_ROWS.with(rows).toString());
-            }
-            Optional<Message> problem = RowCheck.findProblem(names, cells, run);
-            if (problem.isPresent()) {
-                throw wrong(row, problem.get().toString());
-            }
-        }
-
         /** Returns an exception for a row, counted from 0 below the header. */
-        private IOException wrong(long row, String problem) {
+        private IOException wrong(long row, Message problem) {
             return new IOException(file + ":" + (row + 2) + ": " + problem);
         }
     }

@@ -101,7 +101,8 @@ public final class CampaignRunner {
         FileChannel lock = folder.lock();
         try (lock) {
             folder.prepare(plan, shard, resume);
-            try (RunTable table = new RunTable(folder, ResultColumns.header(plan), first, end)) {
+            RunTable.RowRule rule = new PlannedRows(plan)::findProblem;
+            try (RunTable table = new RunTable(folder, ResultColumns.header(plan), rule, first, end)) {
                 makeRuns(table, first, end, progress, cancelled);
                 table.force();
                 RunCounts result = new RunCounts(table.next() - first, end - first, table.broken());

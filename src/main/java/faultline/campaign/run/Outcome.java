@@ -40,6 +40,11 @@ public enum Outcome {
         return metrics.isDecided() ? LOST : UNDECIDED;
     }
 
+    /** Returns the text in the column {@code carried_on}: 1, 0, or nothing without a verdict. */
+    String flag() {
+        return this == UNDECIDED ? "" : this == CARRIED_ON ? "1" : "0";
+    }
+
     /** {@return the word in {@code runs.csv}} */
     public String word() {
         return name().toLowerCase(Locale.ROOT);

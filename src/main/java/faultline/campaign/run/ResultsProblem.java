@@ -47,7 +47,29 @@ public enum ResultsProblem implements Message.Template {
     /** A number that need not be there. */
     NUMBER("a number or nothing"),
     /** A time. */
-    DURATION("a number from 0 to {0}");
+    DURATION("a number from 0 to {0}"),
+    /** A share that need not be there. */
+    SHARE("a number from 0 to 1 or nothing"),
+    /** A number that is not negative and need not be there. */
+    SIZE("a number of at least 0 or nothing"),
+    /** A count that need not be there. */
+    COUNT("a whole number of at least 0 or nothing"),
+    /** A hash. */
+    HASH("16 of the digits 0 to 9 and a to f"),
+    /** A word of a list that need not be there. */
+    ONE_OF_OR_NOTHING("one of {0} or nothing"),
+    /** Any text but an empty one. */
+    VALUE("a value"),
+    /** An empty text. */
+    NOTHING("nothing"),
+    /** A lower limit. */
+    AT_LEAST("at least {0}"),
+    /** An upper limit, which is a value of another column. */
+    AT_MOST_OF("at most {0}, the value of {1}"),
+    /** What is expected because another column has a value or has none. */
+    AS_IN("{0} as in {1}"),
+    /** What is expected because of an outcome. */
+    WITH_OUTCOME("{0} with the outcome {1}");
 
     private final String english;
 

@@ -37,6 +37,13 @@ final class RunTable implements Closeable {
     static final String TIMING_HEADER =
             Csv.row(TIMING_COLUMNS.stream().map(Column::name).toList());
 
+    /** The rule for a row. */
+    interface RowRule {
+
+        /** Returns the error in the cells of a row that must be that of a run; empty if there is none. */
+        Optional<Message> findProblem(List<String> cells, long run);
+    }
+
     private final Table runs;
     private final Table timing;
     private final ByteArrayOutputStream pendingRuns = new ByteArrayOutputStream();
@@ -46,12 +53,12 @@ final class RunTable implements Closeable {
     private boolean dirty;
 
     /**
-     * Opens the tables of a folder for this part, which ends before the run {@code end}; the header is that of
-     * {@code runs.csv}.
+     * Opens the tables of a folder for this part, which ends before the run {@code end}; the header and the rule are
+     * those of {@code runs.csv}.
      */
-    RunTable(CampaignFolder folder, String header, long first, long end) throws IOException {
+    RunTable(CampaignFolder folder, String header, RowRule rule, long first, long end) throws IOException {
         next = first;
-        long length = recover(folder.runs(), header, end);
+        long length = recover(folder.runs(), header, rule, end);
         runs = Table.open(folder.runs(), length, header);
         try {
             timing = Table.open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
@@ -63,12 +70,11 @@ final class RunTable implements Closeable {
     }
 
     /** Determines the number of valid bytes of a table, and the next run. */
-    private long recover(Path file, String header, long end) throws IOException {
+    private long recover(Path file, String header, RowRule rule, long end) throws IOException {
         if (Files.notExists(file)) {
             return 0;
         }
-        List<String> names = Csv.cells(header.strip());
-        int outcome = names.indexOf("outcome");
+        int outcome = Csv.cells(header.strip()).indexOf("outcome");
         long first = next;
         try (LineReader in = new LineReader(file)) {
             String given = in.next();
@@ -81,7 +87,8 @@ final class RunTable implements Closeable {
             String line = in.next();
             for (; next < end && line.endsWith("\n") && !in.isTooLong() && !hasZero(line); line = in.next()) {
                 List<String> cells = Csv.cells(line.stripTrailing());
-                Optional<Message> problem = RowCheck.findProblem(names, cells, next);
+                Optional<Message> problem =
+                        in.isText() ? rule.findProblem(cells, next) : Optional.of(ResultsProblem.NOT_TEXT.with());
                 if (problem.isPresent()) {
                     throw wrongRow(file + ":" + row, problem.get());
                 }

@@ -28,13 +28,16 @@ class RunTableTest {
     private static final String TIMING_HEADER = "run,wall_s,ticks,ticks_per_s\n";
     private static final String ROW = "0,lost,,1\n";
 
+    private static final RunTable.RowRule RULE =
+            (cells, run) -> RowCheck.findProblem(Csv.cells(HEADER.strip()), cells, run);
+
     @TempDir
     Path folder;
 
     /** A closed file represents any file that cannot be written. */
     @Test
     void aRowThatCannotBeWrittenIsReportedWithTheNameOfItsTable() throws IOException {
-        RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1);
+        RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 1);
         table.close();
         table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
         MessageException e = assertThrows(MessageException.class, table::flush);
@@ -45,7 +48,7 @@ class RunTableTest {
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "open files cannot be deleted")
     void aFolderThatIsDeletedMeanwhileIsReported() throws IOException {
         Path deleted = Files.createDirectory(folder.resolve("deleted"));
-        RunTable table = new RunTable(new CampaignFolder(deleted), HEADER, 0, 1);
+        RunTable table = new RunTable(new CampaignFolder(deleted), HEADER, RULE, 0, 1);
         table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
         TemporaryFolder.deleteTree(deleted);
         MessageException e = assertThrows(MessageException.class, table::close);
@@ -56,7 +59,7 @@ class RunTableTest {
     @ValueSource(strings = {"runs.csv", "timing.csv"})
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "open files cannot be deleted")
     void aTableThatIsDeletedMeanwhileIsReported(String name) throws IOException {
-        RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 1);
+        RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 1);
         table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
         Files.delete(folder.resolve(name));
         MessageException e = assertThrows(MessageException.class, table::close);
@@ -67,7 +70,7 @@ class RunTableTest {
     @EnabledOnOs(value = OS.LINUX, disabledReason = "the open files are listed in /proc")
     void aTableThatCannotBeOpenedLeavesNoFileOpen() throws IOException {
         Files.createSymbolicLink(folder.resolve("timing.csv"), folder.resolve("no/such/folder"));
-        assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 1));
+        assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 1));
         try (Stream<Path> open = Files.list(Path.of("/proc/self/fd"))) {
             assertEquals(List.of(), open.filter(link -> leadsInto(folder, link)).toList());
         }
@@ -104,7 +107,8 @@ class RunTableTest {
     void aTableWithAnotherHeaderIsRefusedAndKept(String lineEnd) throws IOException {
         String changed = (HEADER + ROW).replace("\n", lineEnd);
         Path file = Files.writeString(folder.resolve("runs.csv"), changed);
-        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 2));
+        IOException e =
+                assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 2));
         assertEquals(
                 file + ":1: this is not the header of the campaign; restore the table, or remove it", e.getMessage());
         assertEquals(changed, Files.readString(file));
@@ -116,7 +120,7 @@ class RunTableTest {
         Path timing = folder.resolve("timing.csv");
         String good = TIMING_HEADER + "0,0.5,100,200\n";
         Files.writeString(timing, good + "0,0.5,100,200\n1,0.5,100,200\n");
-        new RunTable(new CampaignFolder(folder), HEADER, 0, 2).close();
+        new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 2).close();
         assertEquals(good, Files.readString(timing));
     }
 
@@ -130,7 +134,7 @@ class RunTableTest {
         Path timing = folder.resolve("timing.csv");
         String timed = TIMING_HEADER + "1,0.5,100,200\n2,0.5,100,200\n";
         Files.writeString(timing, timed + "3,0.5,100,200\n");
-        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 3)) {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 3)) {
             assertEquals(3, table.next());
             assertEquals(1, table.broken());
         }
@@ -144,7 +148,8 @@ class RunTableTest {
     void aTableWithMoreRowsThanRunsIsRefusedAndKept(String more) throws IOException {
         String changed = HEADER + "1,lost,,1\n2,lost,,1\n\n" + more;
         Path file = Files.writeString(folder.resolve("runs.csv"), changed);
-        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 1, 3));
+        IOException e =
+                assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, RULE, 1, 3));
         assertEquals(file + ":5: there is a row after that of the last run; expected 2 rows", e.getMessage());
         assertEquals(changed, Files.readString(file));
     }
@@ -162,7 +167,8 @@ class RunTableTest {
     void aTableWithAWrongRowIsRefusedAndKept(String row, String problem) throws IOException {
         String changed = HEADER + ROW + row + "\n2,lost,,1\n";
         Path file = Files.writeString(folder.resolve("runs.csv"), changed);
-        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 9));
+        IOException e =
+                assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 9));
         assertTrue(e.getMessage().startsWith(file + ":3: " + problem), e.getMessage());
         assertTrue(e.getMessage()
                 .endsWith("; restore the table, or delete this row and those below to make their" + " runs again"));
@@ -182,7 +188,8 @@ class RunTableTest {
         String damaged = row.replace('~', '\0').replace("#", "1".repeat(LineReader.MAX_LENGTH));
         String changed = HEADER + ROW + damaged + "\n2,lost,,1\n";
         Path file = Files.writeString(folder.resolve("runs.csv"), changed);
-        IOException e = assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, 0, 9));
+        IOException e =
+                assertThrows(IOException.class, () -> new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 9));
         assertEquals(
                 file + ":3: " + problem
                         + "; restore the table, or delete this row and those below to make their runs again",
@@ -210,7 +217,7 @@ class RunTableTest {
         Files.writeString(file, before + "\0".repeat(Math.max(0, zerosEnd - before.length())) + after);
         long whole = written.endsWith("/") ? 2 : 1;
         String rows = whole == 2 ? ROW + "1,lost,,1\n" : ROW;
-        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 9)) {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 9)) {
             assertEquals(whole, table.next());
             table.add(new RunMaker.MadeRun(whole, whole + ",stopped,,1\n", false, 100, 0.5));
         }
@@ -221,7 +228,7 @@ class RunTableTest {
     void anIncompleteHeaderIsWrittenAgain() throws IOException {
         Files.writeString(folder.resolve("runs.csv"), "run,outc\0\0");
         Files.writeString(folder.resolve("timing.csv"), "run,wal");
-        new RunTable(new CampaignFolder(folder), HEADER, 0, 1).close();
+        new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 1).close();
         assertEquals(HEADER, Files.readString(folder.resolve("runs.csv")));
         assertEquals(TIMING_HEADER, Files.readString(folder.resolve("timing.csv")));
     }
@@ -230,7 +237,7 @@ class RunTableTest {
     void rowsThatWereFlushedAreThereWithoutACloseAndTheOthersAfterIt() throws IOException {
         String rows = HEADER + ROW + "1,broken,,\n";
         String times = TIMING_HEADER + "0,0.500000,100,200\n1,0.000000,0,0\n";
-        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 3)) {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 3)) {
             table.add(new RunMaker.MadeRun(0, ROW, false, 100, 0.5));
             table.add(new RunMaker.MadeRun(1, "1,broken,,\n", true, 0, 0));
             assertEquals(HEADER, Files.readString(folder.resolve("runs.csv")));
@@ -246,7 +253,7 @@ class RunTableTest {
 
     @Test
     void aRowOfTimesHasTheTicksPerSecond() throws IOException {
-        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 0, 2)) {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 0, 2)) {
             table.add(new RunMaker.MadeRun(0, ROW, false, 1000, 2.5));
             table.add(new RunMaker.MadeRun(1, "1,broken,,\n", true, 0, 0));
             assertEquals(1, table.broken());
@@ -258,7 +265,7 @@ class RunTableTest {
 
     @Test
     void aRunOutOfOrderIsRefused() throws IOException {
-        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, 1, 3)) {
+        try (RunTable table = new RunTable(new CampaignFolder(folder), HEADER, RULE, 1, 3)) {
             assertEquals(1, table.next());
             assertThrows(IllegalStateException.class, () -> table.add(new RunMaker.MadeRun(2, ROW, false, 100, 0.5)));
         }

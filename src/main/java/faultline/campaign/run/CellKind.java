@@ -1,0 +1,85 @@
+package faultline.campaign.run;
+
+import faultline.io.DecimalText;
+import faultline.io.Message;
+import java.math.BigDecimal;
+
+/** The kinds of the columns of results, by what their cells can be. */
+enum CellKind {
+    /** Any text; the outcome, the flags and the duration, which {@link RowCheck} checks, are among them. */
+    TEXT(ResultsProblem.NOTHING.with()) {
+        @Override
+        boolean contains(String text) {
+            return true;
+        }
+
+        @Override
+        boolean contains(double number) {
+            return true;
+        }
+    },
+    /** A share, or nothing. */
+    SHARE(ResultsProblem.SHARE.with()) {
+        @Override
+        boolean contains(double number) {
+            return number >= 0 && number <= 1;
+        }
+    },
+    /** A time, a distance or another number that is not negative, or nothing. */
+    SIZE(ResultsProblem.SIZE.with()) {
+        @Override
+        boolean contains(double number) {
+            return number >= 0 && number < Double.POSITIVE_INFINITY;
+        }
+    },
+    /** A whole number, or nothing. */
+    COUNT(ResultsProblem.COUNT.with()) {
+        @Override
+        boolean contains(double number) {
+            return SIZE.contains(number) && number == Math.rint(number);
+        }
+    },
+    /** The hash of a trajectory; nothing in a run that failed. */
+    HASH(ResultsProblem.HASH.with()) {
+        @Override
+        boolean contains(String text) {
+            return text.isEmpty()
+                    || text.length() == HASH_LENGTH
+                            && text.chars().allMatch(c -> c >= '0' && c <= '9' || c >= 'a' && c <= 'f');
+        }
+
+        @Override
+        boolean contains(double number) {
+            return false;
+        }
+    };
+
+    private static final int HASH_LENGTH = 16;
+
+    private final Message expected;
+
+    CellKind(Message expected) {
+        this.expected = expected;
+    }
+
+    /** Returns what a cell can be, as the end of a sentence. */
+    Message expected() {
+        return expected;
+    }
+
+    /** Returns whether the program can have written a cell. */
+    boolean contains(String text) {
+        return text.isEmpty() || contains(number(text));
+    }
+
+    /** Returns whether a cell can have this number; false for NaN. */
+    abstract boolean contains(double number);
+
+    /** Returns the value of a decimal number, NaN for any other text. */
+    static double number(String text) {
+        double number = DecimalText.parseShort(text);
+        return Double.isNaN(number)
+                ? DecimalText.parse(text).map(BigDecimal::doubleValue).orElse(Double.NaN)
+                : number;
+    }
+}
