@@ -7,6 +7,7 @@ import faultline.campaign.plan.FactorKind;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.Csv;
 import faultline.campaign.run.LineReader;
+import faultline.campaign.run.ResultCheck;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.ResultsProblem;
 import faultline.campaign.run.RowCheck;
@@ -180,7 +181,7 @@ final class CampaignRuns {
         int line = 1;
         for (RunRow row : rows) {
             line++;
-            Optional<Message> problem = RowCheck.findProblem(row::text);
+            Optional<Message> problem = RowCheck.findProblem(row::text).or(() -> ResultCheck.findUnusable(row::text));
             if (problem.isPresent()) {
                 throw wrong(table, line, problem.get());
             }

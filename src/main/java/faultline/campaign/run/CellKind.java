@@ -3,6 +3,8 @@ package faultline.campaign.run;
 import faultline.io.DecimalText;
 import faultline.io.Message;
 import java.math.BigDecimal;
+import java.util.Locale;
+import java.util.Set;
 
 /** The kinds of the columns of results, by what their cells can be. */
 enum CellKind {
@@ -56,6 +58,10 @@ enum CellKind {
 
     private static final int HASH_LENGTH = 16;
 
+    /** Other programs write these for a missing value. */
+    private static final Set<String> MISSING =
+            Set.of("na", "nan", "null", "none", "inf", "-inf", "infinity", "-infinity");
+
     private final Message expected;
 
     CellKind(Message expected) {
@@ -74,6 +80,15 @@ enum CellKind {
 
     /** Returns whether a cell can have this number; false for NaN. */
     abstract boolean contains(double number);
+
+    /**
+     * Returns whether a cell can be used that another program may have written; a number that is not finite is missing.
+     */
+    boolean isUsable(String text) {
+        return contains(text)
+                || MISSING.contains(text.toLowerCase(Locale.ROOT))
+                || this != HASH && Double.isInfinite(number(text));
+    }
 
     /** Returns the value of a decimal number, NaN for any other text. */
     static double number(String text) {

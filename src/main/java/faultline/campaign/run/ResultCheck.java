@@ -9,12 +9,27 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /** Checks the results in a row of {@code runs.csv} that {@link RowCheck} has found no error in. */
-final class ResultCheck {
+public final class ResultCheck {
 
     /** Times are rounded to this, seconds, so that one can be a little greater than the duration of its run. */
     private static final double ROUNDING = 1e-3;
 
     private ResultCheck() {}
+
+    /**
+     * {@return the error in a row that another program may have written, as the end of a sentence; empty if its numbers
+     * can be used}
+     *
+     * @param cell the function that returns the text of a column, empty if there is no such column
+     */
+    public static Optional<Message> findUnusable(UnaryOperator<String> cell) {
+        for (Map.Entry<String, CellKind> column : ResultColumns.KINDS.entrySet()) {
+            if (!column.getValue().isUsable(cell.apply(column.getKey()))) {
+                return problem(column.getKey(), cell, column.getValue().expected());
+            }
+        }
+        return Optional.empty();
+    }
 
     /** Returns the first result that no run of this program has; empty if there is none. */
     static Optional<Message> findProblem(UnaryOperator<String> cell) {

@@ -142,7 +142,7 @@ class CampaignReportTest {
         List<String> lines = new ArrayList<>(List.of(Csv.row(names).strip()));
         for (String row : Files.readAllLines(table).subList(1, 9)) {
             List<String> cells = Csv.cells(row);
-            for (String column : List.of("seed", "world", "collided_with", "collision_time_s", "trajectory_hash")) {
+            for (String column : List.of("seed", "world", "collided_with", "final_state", "failure")) {
                 cells.set(names.indexOf(column), "<script>" + column + "</script>");
             }
             lines.add(Csv.row(cells).strip());
@@ -344,6 +344,10 @@ class CampaignReportTest {
                     """
                     run         | x2    | run is "x2"; expected a whole number
                     outcome     | flown | outcome is "flown"; expected one of collided, lost, stopped, undecided, carried_on, broken
+                    coverage    | abc   | coverage is "abc"; expected a number from 0 to 1 or nothing
+                    coverage    | 1.5   | coverage is "1.5"; expected a number from 0 to 1 or nothing
+                    laps        | -1    | laps is "-1"; expected a number of at least 0 or nothing
+                    trajectory_hash | zz | trajectory_hash is "zz"; expected 16 of the digits 0 to 9 and a to f
                     wall_share  | NaN   | wall_share is "NaN"; expected a number or nothing
                     simulated_s | 6,0   | simulated_s is "6,0"; expected a number from 0 to 10000000
                     simulated_s | -1    | simulated_s is "-1"; expected a number from 0 to 10000000
@@ -369,6 +373,26 @@ class CampaignReportTest {
         Files.write(table, lines.subList(0, 3));
         report(elements);
         assertEquals(good, Files.readString(table));
+    }
+
+    /** Other programs write missing numbers, and whole ones in a column with gaps, in these ways. */
+    @Test
+    void aTableThatAnotherProgramHasSavedIsReported() throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        List<String> lines = new ArrayList<>(Files.readAllLines(table));
+        List<String> names = Csv.cells(lines.get(0));
+        List<String> missing = List.of("NA", "NaN", "nan", "null", "Infinity", "1e999");
+        for (int i = 0; i < missing.size(); i++) {
+            List<String> cells = Csv.cells(lines.get(i + 1));
+            cells.set(names.indexOf("coverage"), missing.get(i));
+            cells.set(names.indexOf("false_alarms"), "0.0");
+            cells.set(names.indexOf("clock_start_s"), "5e-02");
+            lines.set(i + 1, Csv.row(cells).strip());
+        }
+        Files.write(table, lines);
+        String html = new CampaignReport(folder).html(List.of());
+        assertTrue(html.contains("8 of 8 runs"), html);
     }
 
     /** A controller that breaks in difficult rooms would otherwise seem better than one that collides there. */
