@@ -1,6 +1,7 @@
 package faultline.control.fallback;
 
 import faultline.control.diagnosis.DeadReckoning;
+import faultline.geometry.Angles;
 import java.util.function.DoubleBinaryOperator;
 
 /**
@@ -26,6 +27,15 @@ final class FreeDirectionFinder {
      */
     private static final double NEARER = 0.02;
 
+    /** The largest angle to the last direction of one that continues it, radians. */
+    private static final double CONTINUES_WITHIN = StrictMath.toRadians(40);
+
+    /**
+     * Such a direction may be nearer to surfaces on the right by this, metres. The measured width of a passage changes
+     * from plan to plan, and the robot would turn to and fro before one that is hardly wide enough.
+     */
+    private static final double CONTINUES_NEARER = 0.04;
+
     private final LocalMap map;
     private double direction;
     private double unknownX;
@@ -33,6 +43,15 @@ final class FreeDirectionFinder {
 
     FreeDirectionFinder(LocalMap map) {
         this.map = map;
+    }
+
+    /**
+     * Sets the direction that counts as the last one, until another is found.
+     *
+     * @param newDirection radians
+     */
+    void begin(double newDirection) {
+        direction = newDirection;
     }
 
     /**
@@ -49,7 +68,8 @@ final class FreeDirectionFinder {
     }
 
     /**
-     * Finds the first direction that is free, with a smaller distance from surfaces on the right of the path.
+     * Finds the first direction that is free, with a smaller distance from surfaces on the right of the path. A
+     * direction that continues the last one is free at a slightly smaller distance from these.
      *
      * @param at the position of the robot
      * @param from the direction of the wall, radians
@@ -66,14 +86,19 @@ final class FreeDirectionFinder {
             double sin = StrictMath.sin(candidate);
             double dx = length * cos;
             double dy = length * sin;
-            if (isOpen(at, dx, dy, onRight, map::toSurface)
-                    && (onRight >= distance
-                            || isOpen(at, dx, dy, distance, (x, y) -> map.toSurfaceOnLeft(x, y, cos, sin, half)))) {
+            if (onRight >= distance
+                    ? isOpen(at, dx, dy, onRight, map::toSurface)
+                    : isOpen(at, dx, dy, continues(candidate) ? onRight - CONTINUES_NEARER : onRight, map::toSurface)
+                            && isOpen(at, dx, dy, distance, (x, y) -> map.toSurfaceOnLeft(x, y, cos, sin, half))) {
                 direction = candidate;
                 return true;
             }
         }
         return false;
+    }
+
+    private boolean continues(double candidate) {
+        return Math.abs(Angles.difference(candidate, direction)) < CONTINUES_WITHIN;
     }
 
     /** Returns the direction that was found last, radians. */

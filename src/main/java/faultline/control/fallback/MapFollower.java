@@ -141,6 +141,7 @@ public final class MapFollower {
     public void begin(boolean atWall) {
         driveDirection = DriveDirection.of(diagnosis);
         direction = atWall ? at.heading() : driveDirection.leading(at.heading());
+        directionFinder.begin(direction);
         wall.begin(direction + QUARTER, atWall);
         untilPlan = 0;
         path.endScan();
@@ -208,20 +209,20 @@ public final class MapFollower {
     }
 
     /**
-     * Finds the first direction that keeps the planned distance. If there is none, the passage is narrow, or the robot
-     * is so near to the wall that it does not get far enough away within the distance that it looks ahead. If the
-     * planned distance is large, it then moves away step by step, or keeps the distance that it has.
+     * Finds the first direction that keeps the planned distance from the wall. If there is none, the passage is narrow,
+     * or the robot is so near to the wall that it does not get far enough away within the distance that it looks ahead.
+     * If the planned distance is large, it then moves away step by step, or keeps the distance that it has.
      */
     private boolean findOpenDirection() {
         double least = Steering.turningRadius(robot);
         double planned = plannedDistance();
-        if (planned <= least + REACHED_WITHOUT_STEPS) {
-            return findOpenDirection(planned) || findOpenDirection(least);
-        }
         // A passage that is less than twice as wide as the planned distance is passed along the wall on its left.
         double onRight = least + TURNING_MARGIN;
         if (directionFinder.find(at, wall.direction(), LOOK_AHEAD, planned, onRight, robot.width() / 2)) {
             return true;
+        }
+        if (planned <= least + REACHED_WITHOUT_STEPS) {
+            return findOpenDirection(least);
         }
         double distance = map.toSurface(at.x(), at.y());
         return findOpenDirection(Math.min(planned, distance + STEP_AWAY))

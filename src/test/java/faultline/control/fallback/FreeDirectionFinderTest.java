@@ -73,12 +73,30 @@ class FreeDirectionFinderTest {
     void aSmallerDistanceIsKeptFromTheSurfacesOnTheRight() {
         wall(90, 0.5);
         wall(-90, 0.3);
+        directionFinder.begin(StrictMath.PI);
         assertFalse(find(0.45, 0.45), "the passage is too narrow");
         assertTrue(find(0.45, 0.25));
         assertEquals(0, Math.toDegrees(directionFinder.direction()), 12);
+        directionFinder.begin(StrictMath.PI);
         assertFalse(find(0.45, 0.37), "the wall on the right is too near");
         wall(0, 0.6);
         assertFalse(find(0.45, 0.25), "the passage ends");
+    }
+
+    @Test
+    void aDirectionThatContinuesTheLastOneMayBeSlightlyNearerToSurfacesOnTheRight() {
+        wall(90, 0.5);
+        wall(-90, 0.3);
+        for (double last : new double[] {-20, 0, 20}) {
+            directionFinder.begin(Math.toRadians(last));
+            assertTrue(find(0.45, 0.37), "after " + last);
+        }
+        for (double last : new double[] {-55, 55, 180}) {
+            directionFinder.begin(Math.toRadians(last));
+            assertFalse(find(0.45, 0.37), "after " + last);
+        }
+        directionFinder.begin(0);
+        assertFalse(find(0.45, 0.43), "the wall on the right is too near");
     }
 
     private boolean find(double distance, double onRight) {
