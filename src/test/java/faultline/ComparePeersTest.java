@@ -1,15 +1,14 @@
 package faultline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import faultline.PythonProcess.Output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,12 +21,9 @@ class ComparePeersTest {
     @TempDir
     private Path folder;
 
-    private record Output(int code, String text) {}
-
     @BeforeEach
     void requirePython() throws Exception {
-        assumeTrue(
-                python("-c", "import sys; sys.exit(sys.version_info < (3, 8))").code() == 0, "needs Python 3.8");
+        PythonProcess.require();
     }
 
     @Test
@@ -62,23 +58,8 @@ class ComparePeersTest {
     }
 
     private static Output comparePeers(String... arguments) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of("src/conf/compare-peers"));
-        command.addAll(List.of(arguments));
-        return python(command.toArray(String[]::new));
-    }
-
-    private static Output python(String... arguments) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of("python3"));
-        command.addAll(List.of(arguments));
-        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
-        try {
-            Process process = builder.start();
-            process.getOutputStream().close();
-            String text = JavaProcess.output(process);
-            assertTrue(process.waitFor(30, TimeUnit.SECONDS), text);
-            return new Output(process.exitValue(), text);
-        } catch (IOException notThere) {
-            return new Output(-1, notThere.getMessage());
-        }
+        List<String> words = new ArrayList<>(List.of("src/conf/compare-peers"));
+        words.addAll(List.of(arguments));
+        return PythonProcess.run(Map.of(), words.toArray(String[]::new));
     }
 }

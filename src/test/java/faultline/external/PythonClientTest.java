@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import faultline.JavaProcess;
+import faultline.PythonProcess;
+import faultline.PythonProcess.Output;
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
@@ -16,10 +18,9 @@ import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
@@ -46,12 +47,9 @@ class PythonClientTest {
 
     private static final Path EXAMPLES = Path.of("docs/examples/python");
 
-    private record Output(int code, String text) {}
-
     @BeforeEach
     void requirePython() throws Exception {
-        assumeTrue(
-                python("-c", "import sys; sys.exit(sys.version_info < (3, 8))").code() == 0, "needs Python 3.8");
+        PythonProcess.require();
     }
 
     @Test
@@ -563,20 +561,13 @@ class PythonClientTest {
     }
 
     private static Output python(String... arguments) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of("python3"));
-        command.addAll(List.of(arguments));
-        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
-        builder.environment().put("PYTHONPATH", EXAMPLES.toString());
-        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
-        builder.environment().put("FAULTLINE", String.join(" ", JavaProcess.program()));
-        try {
-            Process process = builder.start();
-            process.getOutputStream().close();
-            String text = JavaProcess.output(process);
-            assertTrue(process.waitFor(60, TimeUnit.SECONDS), text);
-            return new Output(process.exitValue(), text);
-        } catch (IOException notThere) {
-            return new Output(-1, notThere.getMessage());
-        }
+        Map<String, String> environment = Map.of(
+                "PYTHONPATH",
+                EXAMPLES.toString(),
+                "PYTHONDONTWRITEBYTECODE",
+                "1",
+                "FAULTLINE",
+                String.join(" ", JavaProcess.program()));
+        return PythonProcess.run(environment, arguments);
     }
 }

@@ -2,11 +2,11 @@ package faultline.gui;
 
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
-import java.nio.file.Path;
+import java.io.File;
 import java.util.List;
 
 /** A list of files, as a file manager drops it. */
-public record FileTransferable(List<Path> files) implements Transferable {
+public record FileTransferable(List<File> files) implements Transferable {
     @Override
     public DataFlavor[] getTransferDataFlavors() {
         return new DataFlavor[] {DataFlavor.javaFileListFlavor};
@@ -19,6 +19,6 @@ public record FileTransferable(List<Path> files) implements Transferable {
 
     @Override
     public Object getTransferData(DataFlavor flavor) {
-        return files.stream().map(Path::toFile).toList();
+        return files;
     }
 }

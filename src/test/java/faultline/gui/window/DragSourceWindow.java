@@ -7,7 +7,7 @@ import java.awt.dnd.DragSource;
 import java.awt.dnd.DragSourceAdapter;
 import java.awt.dnd.DragSourceDropEvent;
 import java.nio.file.Path;
-import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 
@@ -36,8 +36,11 @@ final class DragSourceWindow {
                 .createDefaultDragGestureRecognizer(
                         label,
                         DnDConstants.ACTION_COPY_OR_MOVE,
-                        gesture ->
-                                gesture.startDrag(null, new FileTransferable(List.of(files)), new DragSourceAdapter() {
+                        gesture -> gesture.startDrag(
+                                null,
+                                new FileTransferable(
+                                        Stream.of(files).map(Path::toFile).toList()),
+                                new DragSourceAdapter() {
                                     @Override
                                     public void dragDropEnd(DragSourceDropEvent event) {
                                         frame.getRootPane().putClientProperty(DROP_ACTION, event.getDropAction());
