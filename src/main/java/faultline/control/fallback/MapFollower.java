@@ -50,7 +50,7 @@ public final class MapFollower {
     private static final double COARSENESS = 0.04;
 
     /**
-     * The margin that the planned distance leaves around the circle in which the robot turns, and a large planned
+     * The margin that the planned distance leaves around the circle in which the robot turns, and a larger planned
      * distance around that circle on the side that does not face the wall, metres.
      */
     private static final double TURNING_MARGIN = 0.07;
@@ -217,7 +217,7 @@ public final class MapFollower {
         double least = Steering.turningRadius(robot);
         double planned = plannedDistance();
         // A passage that is less than twice as wide as the planned distance is passed along the wall on its left.
-        double onRight = least + TURNING_MARGIN;
+        double onRight = Math.min(planned, least + TURNING_MARGIN);
         if (directionFinder.find(at, wall.direction(), LOOK_AHEAD, planned, onRight, robot.width() / 2)) {
             return true;
         }
