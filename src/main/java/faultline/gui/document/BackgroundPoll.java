@@ -16,8 +16,9 @@ public final class BackgroundPoll {
     public <T> void compute(Callable<T> computation, Consumer<T> onDone, Consumer<Throwable> onFailed) {
         assert EventQueue.isDispatchThread();
         if (!active) {
-            active = true;
             BackgroundTasks.compute(computation, result -> end(onDone, result), failure -> end(onFailed, failure));
+            // Not before: if no thread can be started, the next call tries again.
+            active = true;
         }
     }
 
