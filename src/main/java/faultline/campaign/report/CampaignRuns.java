@@ -102,7 +102,7 @@ final class CampaignRuns {
     private int firstEqual(List<String> cells, int[] identity, Map<List<String>, Integer> firstRuns) {
         int next = rows.size();
         int hash = index("trajectory_hash");
-        if (plan.seedCount() == 1 || hash < 0 || !ResultCheck.isHash(cells.get(hash))) {
+        if (plan.seedCount() == 1 || hash < 0 || cells.get(hash).isEmpty()) {
             return next;
         }
         List<String> run = Arrays.stream(identity).mapToObj(cells::get).toList();

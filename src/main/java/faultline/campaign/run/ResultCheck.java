@@ -16,11 +16,6 @@ public final class ResultCheck {
 
     private ResultCheck() {}
 
-    /** {@return whether a cell has the hash of a trajectory} An empty cell has none, and neither has one such as NA. */
-    public static boolean isHash(String cell) {
-        return !cell.isEmpty() && CellKind.HASH.contains(cell);
-    }
-
     /**
      * {@return the error in a row that another program may have written, as the end of a sentence; empty if its numbers
      * can be used}
