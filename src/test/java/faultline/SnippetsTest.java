@@ -27,8 +27,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Runs every snippet of the documentation. Commands of the program run in a separate folder, each in a process without
- * a display; it has the shipped scenarios, the examples, the README's {@code room.xml}, and the client and the program
- * of the page about controllers.
+ * a display; it has the shipped scenarios, the examples, the README's {@code room.xml}, the map {@code flat.pgm} of the
+ * page about floor plans, and the client and the program of the page about controllers.
  */
 class SnippetsTest {
 
@@ -62,6 +62,7 @@ class SnippetsTest {
             }
         }
         Files.writeString(folder.resolve("room.xml"), room());
+        Files.writeString(folder.resolve("flat.pgm"), flat());
         for (String name : List.of("faultline.py", "my_follower.py")) {
             Files.copy(Path.of("docs/examples/python", name), folder.resolve(name));
         }
@@ -209,6 +210,10 @@ class SnippetsTest {
                 .findFirst()
                 .orElseThrow()
                 .text();
+    }
+
+    private static String flat() throws IOException {
+        return snippets("pgm").findFirst().orElseThrow().text();
     }
 
     /** Returns the lines of all shell snippets, without comments; a line with "&amp;&amp;" as two. */
