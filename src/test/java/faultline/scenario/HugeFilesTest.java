@@ -49,6 +49,13 @@ class HugeFilesTest {
         return scenario("", ROBOT, repeat(98, i -> "<controller" + at + names + "/>"));
     }
 
+    /** Returns a file of many attributes of another namespace, which has a long name. */
+    private static String foreignAttributes() {
+        String names = repeat(9900, i -> " xsi:" + (char) ('a' + i % 26) + Integer.toString(i / 26, 36) + "=\"\"");
+        String text = scenario(repeat(140, i -> "<rectangle" + names + "/>"), ROBOT, "");
+        return text.replaceFirst(">", " xmlns:xsi=\"" + "x".repeat(980) + "\">");
+    }
+
     private static String sensors(int count) {
         return scenario(
                 "",
@@ -105,6 +112,7 @@ class HugeFilesTest {
             assertEquals(
                     "file.xml: more problems: 978038",
                     problemsOf(unknownAttributes("")).get(Problems.MAX_LISTED).toString());
+            assertTrue(problemsOf(foreignAttributes()).get(0).toString().contains("no attribute \"xsi:a0 xmlns="));
             assertEquals(Problems.MAX_LISTED + 1, problemsOf(wrongFaults()).size());
             assertEquals(
                     "<robot> has too many sensors; expected at most 1008",

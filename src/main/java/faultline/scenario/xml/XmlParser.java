@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.io.Message;
+import faultline.io.MessageText;
 import java.io.ByteArrayInputStream;
 import java.io.CharConversionException;
 import java.io.IOException;
@@ -75,6 +76,11 @@ final class XmlParser extends DefaultHandler {
     /** The place of the declaration of a file's encoding. */
     private static final SourceLocation XML_DECLARATION = new SourceLocation(1, 1);
 
+    /**
+     * The longest namespace in a name, in {@code char} values. Messages show no more, and a file has very many names.
+     */
+    private static final int MAX_NAMESPACE_LENGTH = 60;
+
     private static final Attributes2 NO_ATTRIBUTES = new Attributes2Impl();
 
     private final byte[] bytes;
@@ -145,9 +151,12 @@ final class XmlParser extends DefaultHandler {
         pendingElements.push(new PendingElement(name, location(), specifiedAttributes(attributes)));
     }
 
-    /** Returns a name with its namespace, so that an element of another namespace cannot pass for one of ours. */
+    /**
+     * Returns a name with the start of its namespace, so that an element of another namespace cannot pass for one of
+     * ours.
+     */
     private static String foreignName(String uri, String qName) {
-        return qName + (uri.isEmpty() ? " xmlns=\"\"" : " xmlns=\"" + uri + "\"");
+        return qName + " xmlns=\"" + MessageText.shortened(uri, MAX_NAMESPACE_LENGTH) + "\"";
     }
 
     private static Map<String, String> specifiedAttributes(Attributes attributes) {
