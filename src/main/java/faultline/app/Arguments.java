@@ -2,11 +2,11 @@ package faultline.app;
 
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
+import faultline.io.FileNameEncoding;
 import faultline.io.LinkResolver;
 import faultline.io.MessageText;
 import java.io.File;
 import java.math.BigDecimal;
-import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -209,13 +209,12 @@ final class Arguments {
      * the name; otherwise an empty text.
      */
     static String encodingHint(String name) {
-        String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
-        if (name.indexOf(REPLACEMENT) >= 0 && encoding.equals("UTF-8")) {
+        if (name.indexOf(REPLACEMENT) >= 0 && FileNameEncoding.isUnicode()) {
             return " in the encoding of this locale, UTF-8";
         }
-        boolean limited = File.separatorChar == '/' && !encoding.equals("UTF-8") && Charset.isSupported(encoding);
-        return limited && !Charset.forName(encoding).newEncoder().canEncode(name)
-                ? " in the encoding of this locale, " + encoding + "; it may be possible with LC_ALL=C.UTF-8"
-                : "";
+        return FileNameEncoding.lacking(name)
+                .map(encoding ->
+                        " in the encoding of this locale, " + encoding + "; it may be possible with LC_ALL=C.UTF-8")
+                .orElse("");
     }
 }

@@ -361,14 +361,22 @@ class CommandLineTest {
 
     @Test
     @EnabledOnOs(value = OS.LINUX, disabledReason = "other systems have one encoding for the names of files")
-    void anEncodingThatLacksALetterOfAFileIsNamed() throws Exception {
+    void anEncodingThatLacksALetterOfAFileIsNamed(@TempDir Path names) throws Exception {
         List<String> command =
                 new ArrayList<>(List.of("sh", "-c", "exec \"$@\" \"$(printf 'm\\303\\263j.xml')\"", "sh"));
         command.addAll(
                 JavaProcess.builder("faultline.app.Main", List.of("check")).command());
-        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        assertNamesEncoding(new ProcessBuilder(command));
+        Path plan = Files.writeString(
+                names.resolve("plan.xml"),
+                "<campaign xmlns=\"urn:faultline:campaign:1\">"
+                        + "<worlds><scenario file=\"m\u00f3j.xml\"/></worlds></campaign>");
+        assertNamesEncoding(JavaProcess.builder("faultline.app.Main", List.of("check", plan.toString())));
+    }
+
+    private static void assertNamesEncoding(ProcessBuilder builder) throws Exception {
         builder.environment().put("LC_ALL", "C");
-        String output = JavaProcess.output(builder.start());
+        String output = JavaProcess.output(builder.redirectErrorStream(true).start());
         assertTrue(output.contains("cannot be the name of a file in the encoding of this locale, "), output);
         assertTrue(output.contains("LC_ALL=C.UTF-8"), output);
     }

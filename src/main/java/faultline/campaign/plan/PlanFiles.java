@@ -1,8 +1,11 @@
 package faultline.campaign.plan;
 
+import faultline.io.FileNameEncoding;
 import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlFile;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -87,7 +90,11 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         try {
             return XmlFile.readBytes(folder.resolve(name), Allowed.SCENARIO_FILE.with());
         } catch (InvalidPathException e) {
-            return XmlFile.readBytes(folder, Allowed.SCENARIO_FILE.with());
+            throw new ScenarioException(
+                    folder + File.separator + name,
+                    FileNameEncoding.lacking(name)
+                            .map(ProblemKind.UNENCODABLE_FILE_NAME::with)
+                            .orElseGet(ProblemKind.BAD_FILE_NAME::with));
         }
     }
 

@@ -84,6 +84,11 @@ public enum ProblemKind implements Message.Template {
     MALFORMED_AFTER_INSIDE("this is not well-formed XML, after \"{0}\", inside <{1}> of line {2}"),
     /** The file does not exist. */
     NO_SUCH_FILE("there is no such file"),
+    /** No file can have the name. */
+    BAD_FILE_NAME("this cannot be the name of a file"),
+    /** No file can have the name in the encoding of the locale. */
+    UNENCODABLE_FILE_NAME("this cannot be the name of a file in the encoding of this locale, {0};"
+            + " it may be possible with LC_ALL=C.UTF-8"),
     /** The file cannot be read. */
     UNREADABLE_FILE("the file cannot be read"),
     /** The path is a folder. */
