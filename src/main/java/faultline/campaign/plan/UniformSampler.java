@@ -12,6 +12,15 @@ final class UniformSampler implements AttributeValue.UniformSource {
 
     private static final long GAMMA = 0x9E3779B97F4A7C15L;
 
+    /**
+     * The most blocks whose random order is kept as a table, of 4 bytes a block and stream. Draws of up to this number
+     * of blocks are those of earlier versions.
+     */
+    static final int MAX_TABLE = 1_000_000;
+
+    /** Four make a random order (Luby and Rackoff 1988); two more, because the halves of a number are short. */
+    private static final int ROUNDS = 6;
+
     private final long seed;
     private final boolean latin;
     private final int blocks;
@@ -38,7 +47,9 @@ final class UniformSampler implements AttributeValue.UniformSource {
         if (!latin) {
             return plain;
         }
-        int stratum = strata.computeIfAbsent(stream, name -> permutation(key))[(int) block];
+        int stratum = blocks <= MAX_TABLE
+                ? strata.computeIfAbsent(stream, name -> permutation(key))[(int) block]
+                : permuted(key, (int) block);
         return Math.min((stratum + plain) / blocks, Math.nextDown(1.0));
     }
 
@@ -61,6 +72,28 @@ final class UniformSampler implements AttributeValue.UniformSource {
             order[j] = i;
         }
         return order;
+    }
+
+    /**
+     * Returns the stratum of a block in a random order that needs no table. A Feistel network permutes the numbers of
+     * an even number of bits; it is repeated until the result is a stratum (Black and Rogaway 2002, "Ciphers with
+     * Arbitrary Finite Domains").
+     */
+    private int permuted(long key, int block) {
+        int halfBits = (33 - Integer.numberOfLeadingZeros(blocks - 1)) / 2;
+        int mask = (1 << halfBits) - 1;
+        int number = block;
+        do {
+            int left = number >>> halfBits;
+            int right = number & mask;
+            for (int round = 1; round <= ROUNDS; round++) {
+                int mixed = left ^ (int) mix(mix(key + round) + right) & mask;
+                left = right;
+                right = mixed;
+            }
+            number = left << halfBits | right;
+        } while (number >= blocks);
+        return number;
     }
 
     private static double toUnit(long bits) {

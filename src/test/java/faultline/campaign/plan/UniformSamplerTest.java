@@ -7,8 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class UniformSamplerTest {
 
@@ -62,9 +65,10 @@ class UniformSamplerTest {
         return order;
     }
 
-    @Test
-    void aLatinHypercubeHitsEachOfItsPartsOnce() {
-        int blocks = 1000;
+    /** Larger numbers of blocks have no table of their order. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 1000, UniformSampler.MAX_TABLE + 1, 1 << 20, 1_300_000})
+    void aLatinHypercubeHitsEachOfItsPartsOnce(int blocks) {
         UniformSampler sampler = new UniformSampler(1, true, blocks);
         for (String stream : new String[] {"speed", "cone"}) {
             BitSet hit = new BitSet();
@@ -90,20 +94,44 @@ class UniformSamplerTest {
         assertEquals(1.0 / 12, variance, 0.01);
     }
 
-    @Test
-    void twoStreamsOfALatinHypercubeAreUncorrelated() {
-        int blocks = 10_000;
+    /** The standard error of a correlation of independent draws is 1/100 and 1/1000. */
+    @ParameterizedTest
+    @ValueSource(ints = {10_000, UniformSampler.MAX_TABLE + 1})
+    void twoStreamsOfALatinHypercubeAreUncorrelated(int blocks) {
         UniformSampler sampler = new UniformSampler(1, true, blocks);
-        double sum = IntStream.range(0, blocks)
-                .mapToDouble(i -> (sampler.uniform("a", i) - 0.5) * (sampler.uniform("b", i) - 0.5))
+        for (int shift = 0; shift < 3; shift++) {
+            int later = shift;
+            double withOther = correlation(sampler, blocks, i -> sampler.uniform("b", (i + later) % blocks));
+            assertTrue(Math.abs(withOther) < 3 / Math.sqrt(blocks), "correlation " + withOther);
+            double withLater = correlation(sampler, blocks, i -> sampler.uniform("a", (i + later + 1) % blocks));
+            assertTrue(Math.abs(withLater) < 3 / Math.sqrt(blocks), "correlation " + withLater);
+        }
+    }
+
+    /** Returns the correlation of a stream with other numbers that have the same distribution. */
+    private static double correlation(UniformSampler sampler, int blocks, IntToDoubleFunction other) {
+        return IntStream.range(0, blocks)
+                .mapToDouble(i -> (sampler.uniform("a", i) - 0.5) * (other.applyAsDouble(i) - 0.5))
+                .map(product -> 12 * product / blocks)
                 .sum();
-        assertTrue(Math.abs(12 * sum / blocks) < 0.03, "correlation " + 12 * sum / blocks);
+    }
+
+    /** Tables of their orders would need 40 GB. */
+    @Test
+    void theDrawsOfTheLargestPlanNeedNoMemory() {
+        int blocks = (int) CampaignPlan.MAX_RUNS;
+        UniformSampler sampler = new UniformSampler(1, true, blocks);
+        double[] draws = IntStream.range(0, 1000)
+                .mapToDouble(i -> sampler.uniform("stream " + i, blocks - 1))
+                .toArray();
+        assertEquals(0.5, Arrays.stream(draws).average().orElseThrow(), 0.04);
+        assertEquals(1000, Arrays.stream(draws).distinct().count());
     }
 
     /** This draw is less than 1e-9 of its part below the end of the last part, so that the quotient rounds to 1. */
     @Test
     void aDrawAtTheEndOfTheLastPartOfTheLargestPlanIsBelowOne() {
-        UniformSampler sampler = new UniformSampler(610_218_365, true, (int) CampaignPlan.MAX_RUNS);
-        assertEquals(Math.nextDown(1.0), sampler.uniform("a", 3_717_954));
+        UniformSampler sampler = new UniformSampler(584_312_885, true, (int) CampaignPlan.MAX_RUNS);
+        assertEquals(Math.nextDown(1.0), sampler.uniform("a", 2_674_281));
     }
 }
