@@ -18,7 +18,8 @@ public final class SectorDistance {
 
     /**
      * If both ends of a segment are farther beside an edge than this, metres, the segment is outside and does not go
-     * through the apex, in spite of rounding.
+     * through the apex, in spite of rounding. A point whose share along the axis, times twice the cosine of half the
+     * angle, is below it, is behind the apex.
      */
     private static final double OUTSIDE = -1e-6;
 
@@ -157,6 +158,9 @@ public final class SectorDistance {
         double fraction = Math.max(from, Math.min(to, foot));
         double qx = px + fraction * dx;
         double qy = py + fraction * dy;
+        if (isBehind(qx, qy)) {
+            return NONE;
+        }
         double distance = Math.sqrt(qx * qx + qy * qy);
         return distance <= range ? distance : NONE;
     }
@@ -245,6 +249,14 @@ public final class SectorDistance {
     }
 
     private boolean containsDirection(double dx, double dy) {
-        return dx * leftY - dy * leftX >= 0 && rightX * dy - rightY * dx >= 0;
+        return dx * leftY - dy * leftX >= 0 && rightX * dy - rightY * dx >= 0 && !isBehind(dx, dy);
+    }
+
+    /**
+     * Returns whether a point is behind the apex, in spite of rounding. The edges of a very narrow cone are one line up
+     * to rounding, of which half is behind the apex.
+     */
+    private boolean isBehind(double dx, double dy) {
+        return dx * (leftX + rightX) + dy * (leftY + rightY) < OUTSIDE;
     }
 }

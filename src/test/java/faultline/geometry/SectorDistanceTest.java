@@ -3,6 +3,8 @@ package faultline.geometry;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -94,6 +96,31 @@ class SectorDistanceTest {
     void whatIsBehindTheApexIsNotSeen() {
         assertEquals(OUT_OF_RANGE, SectorDistance.nearest(EXACT, new Segment(-0.001, -9, -0.001, 9)));
         assertEquals(OUT_OF_RANGE, SectorDistance.nearest(EXACT, new Disc(-0.5, 0, 0.4)));
+    }
+
+    /** Its edges are one line up to rounding. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-9, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-18})
+    void aVeryNarrowConeSeesNothingBehindTheApex(double degrees) {
+        SplittableRandom random = new SplittableRandom(15);
+        for (int i = 0; i < CASES / 10; i++) {
+            Vector2 apex = new Vector2(random.nextDouble(6), random.nextDouble(4));
+            double bearing = i % 5 == 0 ? Math.PI / 2 * random.nextInt(4) : random.nextDouble(-7, 7);
+            Sector sector = Sector.of(apex, bearing, Math.toRadians(degrees), 2);
+            double distance = random.nextDouble(0.01, 1.5);
+            double radius = Math.min(0.9 * distance, 0.1);
+            Vector2 behind = apex.minus(sector.axis().times(distance));
+            Vector2 out = Vector2.direction(bearing + random.nextDouble(0.6, 2.4));
+            Vector2 end = behind.minus(out.times(random.nextDouble(distance)));
+            Vector2 otherEnd = behind.plus(out.times(random.nextDouble(distance)));
+            RigidMotion frame = RigidMotion.of(new Pose(behind.x(), behind.y(), random.nextDouble(7)));
+            for (ConvexShape shape : List.of(
+                    new Segment(end.x(), end.y(), otherEnd.x(), otherEnd.y()),
+                    new Disc(behind.x(), behind.y(), radius),
+                    new Ellipse(frame, radius, radius / 3))) {
+                assertEquals(OUT_OF_RANGE, SectorDistance.nearest(sector, shape), () -> sector + " and " + shape);
+            }
+        }
     }
 
     @Test
