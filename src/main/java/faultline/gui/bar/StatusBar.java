@@ -31,11 +31,16 @@ public final class StatusBar extends JPanel {
     private static final int GAP = 14;
     /** The smallest scale that is shown without decimals, pixels per metre. */
     private static final int WHOLE_SCALE = 10;
+    /** The longest usual time of a run, seconds. */
+    private static final int LONG_TIME = 88_888;
+
+    /** The length of a tick of the run, seconds; 0 before the first one. */
+    private double dt;
 
     private final StatusCell running =
             cell("status.runState", () -> Stream.of("running", "paused", "collided", "failed")
                     .map(state -> Messages.get("status." + state)));
-    private final StatusCell time = cell("status.time", "t 00000.000 s");
+    private final StatusCell time = cell("status.time", () -> Stream.of(timeText(LONG_TIME)));
     private final StatusCell tick = cell("status.tick", () -> Stream.of(tickText(10_000_000)));
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
     private final StatusCell state =
@@ -91,7 +96,7 @@ public final class StatusBar extends JPanel {
                         : world.collision().isPresent()
                                 ? "status.collided"
                                 : status.running() ? "status.running" : "status.paused"));
-        time.setStatusText(NumberText.format("t %.3f s", world.time()));
+        showTime(world.time(), frame.dt());
         tick.setStatusText(tickText(world.tick()));
         boolean stalled = stalledRun.isStalled(frame, status);
         pace.setStatusText(
@@ -122,6 +127,21 @@ public final class StatusBar extends JPanel {
     private static String conditionOf(SessionStatus status, boolean stalled) {
         String waiting = stalled ? Messages.get("status.stalled") : "";
         return status.failure().map(reason -> Messages.get(reason)).orElse(waiting);
+    }
+
+    private void showTime(double seconds, double tickLength) {
+        boolean hasNewTicks = tickLength != dt;
+        dt = tickLength;
+        time.setStatusText(timeText(seconds));
+        if (hasNewTicks) {
+            RefreshSteps.run(time);
+            revalidate();
+        }
+    }
+
+    /** Returns a time with the decimals that tell the ticks of the run apart. */
+    private String timeText(double seconds) {
+        return "t " + NumberText.clock(seconds, dt) + " s";
     }
 
     private static String tickText(long tick) {

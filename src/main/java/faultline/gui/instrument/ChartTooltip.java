@@ -40,7 +40,8 @@ final class ChartTooltip {
     /** Returns the time, then one text per line. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        lines.add(NumberText.format("t %.3f s", chart.data().timeOf(bucket)));
+        lines.add("t "
+                + NumberText.clock(chart.data().timeOf(bucket), chart.data().dt()) + " s");
         for (int i = chart.signal().lines().size() - 1; i >= 0; i--) {
             ChartLine curve = chart.signal().lines().get(i);
             lines.add(curve.name() + " " + valueText(curve));

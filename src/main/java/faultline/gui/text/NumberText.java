@@ -12,6 +12,8 @@ public final class NumberText {
     /** The decimals of the shortest tick. */
     private static final int MAX_TIME_DECIMALS = 5;
 
+    private static final int CLOCK_DECIMALS = 3;
+
     private NumberText() {}
 
     /** Returns a text with a pattern of {@link String#format}. */
@@ -22,6 +24,11 @@ public final class NumberText {
     /** Returns a time of a run, seconds, with the decimals that tell its ticks apart, given the length of a tick. */
     public static String seconds(double time, double dt) {
         return format("%." + decimals(dt) + "f", time);
+    }
+
+    /** Returns a time as {@link #seconds} does, with at least the three decimals of a clock. */
+    public static String clock(double time, double dt) {
+        return format("%." + Math.max(CLOCK_DECIMALS, decimals(dt)) + "f", time);
     }
 
     /** Returns the decimals of the times of a run, at least two, given the length of a tick, seconds. */

@@ -6,13 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
 import faultline.engine.RunProblem;
 import faultline.engine.SampleFrames;
+import faultline.engine.metrics.RunMeasures;
 import faultline.engine.recording.Recording;
 import faultline.engine.session.SampleSessionFrames;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
@@ -49,6 +52,49 @@ class StatusBarTest {
         assertEquals(
                 List.of("Running", "t 0.010 s", "0.98× real time", "Follow", "x 1.500  y 2.000  θ -90.0°"),
                 texts().subList(0, 5));
+    }
+
+    /** The cell of the time is as wide for all of them, so that the others do not move. */
+    @Test
+    void timesTellTheTicksOfTheRunApart() {
+        runOnEdt(() -> {
+            bar.setFrame(frame(1, 0.01), running(1));
+            int usual = timeCell().getPreferredSize().width;
+            bar.setFrame(frame(1, 1e-5), running(1));
+            assertEquals("t 0.00001 s", timeCell().getText());
+            int wide = timeCell().getPreferredSize().width;
+            bar.setFrame(frame(8_888_888_888L, 1e-5), running(1));
+            assertEquals("t 88888.88888 s", timeCell().getText());
+            assertEquals(wide, timeCell().getPreferredSize().width);
+            bar.setFrame(frame(8_888_888, 0.01), running(1));
+            assertEquals("t 88888.880 s", timeCell().getText());
+            assertEquals(usual, timeCell().getPreferredSize().width);
+        });
+    }
+
+    private StatusCell timeCell() {
+        return ComponentFinder.find(bar, StatusCell.class, Messages.get("status.time"));
+    }
+
+    private static SessionFrame frame(long tick, double dt) {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        Snapshot world = frame.snapshot();
+        Snapshot later = new Snapshot(
+                tick,
+                tick * dt,
+                world.width(),
+                world.height(),
+                true,
+                world.robot(),
+                world.pose(),
+                world.wheelSpeeds(),
+                world.motorFaults(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of());
+        Frame at = new Frame(later, frame.telemetry(), 0, 0, frame.path(), 0);
+        return new SessionFrame(at, Recording.EMPTY, RunMeasures.NONE, new ControllerSpec.None(), "", dt);
     }
 
     @Test

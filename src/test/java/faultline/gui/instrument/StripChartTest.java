@@ -455,6 +455,18 @@ class StripChartTest {
     }
 
     @Test
+    void timesTellShortTicksApart() {
+        runOnEdt(() -> {
+            chart.setFrame(SampleRuns.frame(SampleRuns.ROOM_SETUP.withTick(5e-4), 2000));
+            chart.view().setSpan(new TimeSpan(0.8, 0.2));
+            SampleRuns.render(chart, 420, HEIGHT);
+        });
+        StripScale scale = callOnEdt(() -> chart.view().scale().orElseThrow());
+        assertEquals("t 0.9990 s", new ChartTooltip(scale, 0.999).lines().get(0));
+        assertEquals("t 0.9995 s", new ChartTooltip(scale, 0.9995).lines().get(0));
+    }
+
+    @Test
     void itRunsAlongWithTheNewestFrame() {
         assertEquals(20, chart.view().span().end(), 1e-9);
         runOnEdt(() -> chart.setFrame(SampleRuns.frame(2100)));

@@ -24,6 +24,13 @@ class NumberTextTest {
     }
 
     @Test
+    void aClockHasAtLeastThreeDecimals() {
+        assertEquals("20.004", NumberText.clock(20.004, 0.01));
+        assertEquals("0.0375", NumberText.clock(3 * 0.0125, 0.0125));
+        assertEquals("0.00001", NumberText.clock(1e-5, 1e-5));
+    }
+
+    @Test
     void zeroHasNoSignAndOtherNumbersKeepTheirs() {
         assertEquals("x 0.000  y -0.002", NumberText.format("x %.3f  y %.3f", -0.0004, -0.0016));
         assertEquals("0 %", NumberText.format("%.0f %%", -0.2));
