@@ -5,56 +5,21 @@ import faultline.io.Message;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.DoublePredicate;
+import java.util.function.Predicate;
 
 /** The kinds of the columns of results, by what their cells can be. */
 enum CellKind {
     /** Any text; the outcome, the flags and the duration, which {@link RowCheck} checks, are among them. */
-    TEXT(ResultsProblem.NOTHING.with()) {
-        @Override
-        boolean contains(String text) {
-            return true;
-        }
-
-        @Override
-        boolean contains(double number) {
-            return true;
-        }
-    },
+    TEXT(ResultsProblem.NOTHING.with(), text -> true),
     /** A share, or nothing. */
-    SHARE(ResultsProblem.SHARE.with()) {
-        @Override
-        boolean contains(double number) {
-            return number >= 0 && number <= 1;
-        }
-    },
+    SHARE(ResultsProblem.SHARE.with(), numbers(number -> number >= 0 && number <= 1)),
     /** A time, a distance or another number that is not negative, or nothing. */
-    SIZE(ResultsProblem.SIZE.with()) {
-        @Override
-        boolean contains(double number) {
-            return number >= 0 && number < Double.POSITIVE_INFINITY;
-        }
-    },
+    SIZE(ResultsProblem.SIZE.with(), numbers(CellKind::isSize)),
     /** A whole number, or nothing. */
-    COUNT(ResultsProblem.COUNT.with()) {
-        @Override
-        boolean contains(double number) {
-            return SIZE.contains(number) && number == Math.rint(number);
-        }
-    },
+    COUNT(ResultsProblem.COUNT.with(), numbers(number -> isSize(number) && number == Math.rint(number))),
     /** The hash of a trajectory; nothing in a run that failed. */
-    HASH(ResultsProblem.HASH.with()) {
-        @Override
-        boolean contains(String text) {
-            return text.isEmpty()
-                    || text.length() == HASH_LENGTH
-                            && text.chars().allMatch(c -> c >= '0' && c <= '9' || c >= 'a' && c <= 'f');
-        }
-
-        @Override
-        boolean contains(double number) {
-            return false;
-        }
-    };
+    HASH(ResultsProblem.HASH.with(), CellKind::isHash);
 
     private static final int HASH_LENGTH = 16;
 
@@ -63,9 +28,26 @@ enum CellKind {
             Set.of("na", "nan", "null", "none", "inf", "-inf", "infinity", "-infinity");
 
     private final Message expected;
+    private final Predicate<String> cells;
 
-    CellKind(Message expected) {
+    CellKind(Message expected, Predicate<String> cells) {
         this.expected = expected;
+        this.cells = cells;
+    }
+
+    /** Returns the cells of a kind of numbers, given which of these it has. NaN stands for a text that is no number. */
+    private static Predicate<String> numbers(DoublePredicate numbers) {
+        return text -> text.isEmpty() || numbers.test(number(text));
+    }
+
+    private static boolean isSize(double number) {
+        return number >= 0 && number < Double.POSITIVE_INFINITY;
+    }
+
+    private static boolean isHash(String text) {
+        return text.isEmpty()
+                || text.length() == HASH_LENGTH
+                        && text.chars().allMatch(c -> c >= '0' && c <= '9' || c >= 'a' && c <= 'f');
     }
 
     /** Returns what a cell can be, as the end of a sentence. */
@@ -75,11 +57,8 @@ enum CellKind {
 
     /** Returns whether the program can have written a cell. */
     boolean contains(String text) {
-        return text.isEmpty() || contains(number(text));
+        return cells.test(text);
     }
-
-    /** Returns whether a cell can have this number; false for NaN. */
-    abstract boolean contains(double number);
 
     /**
      * Returns whether a cell can be used that another program may have written; a number that is not finite is missing.
