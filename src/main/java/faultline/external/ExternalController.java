@@ -92,7 +92,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         this.who = ControllerProblem.CONTROLLER.with(command);
         this.timeouts = timeouts;
         this.givesTruth = givesTruth;
-        this.knownRobot = run.robot();
+        this.knownRobot = run.conditions().robot();
         this.child = start(command, timeouts.answer(), errors);
         this.name = greet(run);
         this.telemetry = new DriveTelemetry(name.isEmpty() ? NAMELESS_STATE : name);

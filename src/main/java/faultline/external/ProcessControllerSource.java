@@ -59,14 +59,7 @@ public final class ProcessControllerSource implements ControllerSource, TickObse
      */
     @Override
     public Controller start(RunConditions run) {
-        RunDescription description = new RunDescription(
-                settings.program(),
-                settings.scenario(),
-                run.seed(),
-                run.dt(),
-                run.periodTicks(),
-                run.duration(),
-                run.robot());
+        RunDescription description = new RunDescription(settings.program(), settings.scenario(), run);
         newest = new ExternalController(
                 command, description, settings.timeouts(), settings.givesTruth(), settings.errors());
         return keepsOpen ? newest::decide : newest;

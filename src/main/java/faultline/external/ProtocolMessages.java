@@ -37,11 +37,11 @@ final class ProtocolMessages {
                 .member("protocol", PROTOCOL)
                 .member("program", run.program())
                 .member("scenario", run.scenario())
-                .member("seed", run.seed())
-                .member("dt_s", run.dt())
-                .member("period_ticks", run.periodTicks())
-                .member("duration_s", run.duration());
-        writeRobot(json.name("robot"), run.robot());
+                .member("seed", run.conditions().seed())
+                .member("dt_s", run.conditions().dt())
+                .member("period_ticks", run.conditions().periodTicks())
+                .member("duration_s", run.conditions().duration());
+        writeRobot(json.name("robot"), run.conditions().robot());
         return json.finish();
     }
 
