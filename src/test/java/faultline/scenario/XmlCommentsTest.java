@@ -2,15 +2,18 @@ package faultline.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Random;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -118,6 +121,10 @@ class XmlCommentsTest {
 
     /** Returns the times of the moves and the first words of the comments in the order in which they are written. */
     private static String order(String timeline) throws ScenarioException {
+        return order(EVENTS, timeline);
+    }
+
+    private static String order(String before, String timeline) throws ScenarioException {
         String start =
                 """
                 <scenario xmlns="urn:faultline:scenario:1" name="Moves">
@@ -125,7 +132,7 @@ class XmlCommentsTest {
                   <robot x="1" y="1"/>
                 """;
         Scenario edited = SampleScenario.read(start + timeline + "</scenario>");
-        String text = ScenarioWriter.toText(edited, readComments(start + EVENTS + "</scenario>"));
+        String text = ScenarioWriter.toText(edited, readComments(start + before + "</scenario>"));
         return Pattern.compile("<move at=\"([0-9.]+)|<!-- (\\w+)")
                 .matcher(text)
                 .results()
@@ -146,8 +153,83 @@ class XmlCommentsTest {
     void aCommentStaysBeforeItsEventWhenThatIsChangedOrMovedInTime() throws ScenarioException {
         assertEquals("first 1 second 2 third 3", order(EVENTS.replace("x=\"4\"", "x=\"3\"")));
         String first = "<move obstacle=\"p\" at=\"1\" x=\"4\" y=\"3\"/>";
-        String moved = EVENTS.replace(first, "").replace("</timeline>", first.replace("1", "5") + "</timeline>");
-        assertEquals("second 2 third 3 first 5", order(moved));
+        assertEquals("second 2 third 3 first 5", order(move(EVENTS, first, first.replace("1", "5"))));
+    }
+
+    @Test
+    void aCommentStaysBeforeAnEditedEventWhenAnotherEventIsAdded() throws ScenarioException {
+        String added = "<move obstacle=\"p\" at=\"0.5\" x=\"2\" y=\"1\"/>";
+        String other = EVENTS.replace("<!-- first: away -->", added);
+        String first = "<move obstacle=\"p\" at=\"1\" x=\"4\" y=\"3\"/>";
+        assertEquals("0.5 first 0.7 second 2 third 3", order(other.replace("at=\"1\"", "at=\"0.7\"")));
+        assertEquals("0.5 second 2 third 3 first 5", order(move(other, first, first.replace("1", "5"))));
+        String sameTime = EVENTS.replace("<!-- second: back -->", added.replace("0.5", "1"));
+        assertEquals("first 1 1 second 2 third 3", order(sameTime.replace(first, first.replace("x=\"4\"", "x=\"3\""))));
+    }
+
+    /** Replaces a line by another at the end of a timeline. */
+    private static String move(String timeline, String line, String atEnd) {
+        return timeline.replace(line, "").replace("</timeline>", atEnd + "</timeline>");
+    }
+
+    @Test
+    void theCommentsOfObstaclesThatArePutAtOneTimeStayWhenOneIsRemovedOrChanged() throws ScenarioException {
+        String puts =
+                """
+                  <timeline>
+                    <!-- a -->
+                    <put at="3"><circle id="a" x="4" y="3" radius="0.1"/></put>
+                    <!-- b -->
+                    <put at="3"><circle id="b" x="4" y="2" radius="0.1"/></put>
+                    <!-- c -->
+                    <put at="3"><circle id="c" x="4" y="1" radius="0.1"/></put>
+                  </timeline>
+                """;
+        assertEquals("a 3a b 3b c 3c", orderOfPuts(puts, puts));
+        assertEquals("b 3b c 3c a", orderOfPuts(puts, puts.replaceAll(".*\"a\".*", "")));
+        assertEquals("a 3a c 3c b", orderOfPuts(puts, puts.replaceAll(".*\"b\".*", "")));
+        String added = "<put at=\"2\"><circle id=\"d\" x=\"4\" y=\"1\" radius=\"0.1\"/></put>";
+        assertEquals("2d a 3a c 3c b 4b", orderOfPuts(puts, later(puts.replace("<!-- a -->", added))));
+    }
+
+    /** Puts the second obstacle a second later. */
+    private static String later(String timeline) {
+        String second = "<put at=\"3\"><circle id=\"b\" x=\"4\" y=\"2\" radius=\"0.1\"/></put>";
+        return move(timeline, second, second.replace("at=\"3\"", "at=\"4\""));
+    }
+
+    private static String orderOfPuts(String before, String now) throws ScenarioException {
+        String start =
+                """
+                <scenario xmlns="urn:faultline:scenario:1" name="Puts">
+                  <world width="6" height="4"/>
+                  <robot x="1" y="1"/>
+                """;
+        String text = ScenarioWriter.toText(
+                SampleScenario.read(start + now + "</scenario>"), readComments(start + before + "</scenario>"));
+        return Pattern.compile("<put at=\"([0-9.]+)\">\\s*<circle id=\"(\\w+)|<!-- (\\w+)")
+                .matcher(text)
+                .results()
+                .map(found -> found.group(1) == null ? found.group(3) : found.group(1) + found.group(2))
+                .collect(Collectors.joining(" "));
+    }
+
+    @Test
+    void theCommentsOfManyEditedEventsAreFoundInAShortTime() throws ScenarioException {
+        StringBuilder before = new StringBuilder();
+        StringBuilder now = new StringBuilder();
+        for (int i = 1; i <= 20_000; i++) {
+            String event = "<move obstacle=\"p\" at=\"%s\" x=\"4\" y=\"%s\"/>\n";
+            before.append("<!-- c").append(i).append(" -->\n").append(event.formatted(i, 1 + i % 3));
+            now.append(event.formatted(i + 0.5, 2 + i % 2));
+        }
+        String expected = IntStream.rangeClosed(1, 20_000)
+                .mapToObj(i -> "c" + i + " " + i + ".5")
+                .collect(Collectors.joining(" "));
+        assertTimeout(
+                Duration.ofSeconds(10),
+                () -> assertEquals(
+                        expected, order("<timeline>" + before + "</timeline>", "<timeline>" + now + "</timeline>")));
     }
 
     @Test

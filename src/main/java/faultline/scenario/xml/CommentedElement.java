@@ -1,10 +1,8 @@
 package faultline.scenario.xml;
 
-import faultline.io.DecimalText;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 
 /**
  * An element of a file with the comments before it and in it. Elements without comments are kept as far as they are
@@ -12,14 +10,12 @@ import java.util.TreeMap;
  */
 final class CommentedElement {
 
-    /** A character that no document can contain. */
-    private static final char SEPARATOR = 0;
-
     private final String name;
-    private final String key;
-    private final String timeKey;
-    private final boolean named;
     private final List<String> before;
+    /** The attributes until the element ends. */
+    private Map<String, String> attributes;
+
+    private ElementKey key;
     private List<CommentedElement> children = new ArrayList<>();
     private List<String> atEnd = List.of();
     private boolean commented;
@@ -27,9 +23,7 @@ final class CommentedElement {
     /** Creates an open element. */
     CommentedElement(String name, Map<String, String> attributes, List<String> before) {
         this.name = name;
-        this.key = keyOf(name, attributes);
-        this.timeKey = timeKeyOf(name, attributes);
-        this.named = hasId(attributes);
+        this.attributes = attributes;
         this.before = List.copyOf(before);
     }
 
@@ -44,56 +38,23 @@ final class CommentedElement {
 
     /** Ends the element, given the comments after its last child. */
     void end(List<String> last) {
+        key = ElementKey.of(
+                name,
+                attributes,
+                children.stream()
+                        .map(child -> child.key)
+                        .filter(ElementKey::hasId)
+                        .map(ElementKey::text));
+        attributes = Map.of();
         atEnd = List.copyOf(last);
         boolean inside = !atEnd.isEmpty() || children.stream().anyMatch(child -> child.commented);
         commented = inside || !before.isEmpty();
         children = inside ? List.copyOf(children) : List.of();
     }
 
-    /** Returns whether elements with some attributes are known by their id. */
-    static boolean hasId(Map<String, String> attributes) {
-        return !attributes.getOrDefault("id", "").isEmpty();
-    }
-
-    /** Returns a text that equals that of another element if both have the same id or, without one, attributes. */
-    static String keyOf(String name, Map<String, String> attributes) {
-        if (hasId(attributes)) {
-            return name + SEPARATOR + attributes.get("id");
-        }
-        StringBuilder key = new StringBuilder(name);
-        new TreeMap<>(attributes)
-                .forEach((attribute, value) ->
-                        key.append(SEPARATOR).append(attribute).append('=').append(canonical(value)));
-        return key.toString();
-    }
-
-    /** Returns a text that equals that of another element if both have the same name and, if they are events, time. */
-    static String timeKeyOf(String name, Map<String, String> attributes) {
-        return name + SEPARATOR + canonical(attributes.getOrDefault("at", ""));
-    }
-
-    private static String canonical(String value) {
-        return DecimalText.parse(value)
-                .map(number -> number.stripTrailingZeros().toString())
-                .orElse(value);
-    }
-
-    String name() {
-        return name;
-    }
-
-    /** Returns the text by which {@link #keyOf} compares elements. */
-    String key() {
+    /** Returns what the element is known by; it has ended. */
+    ElementKey key() {
         return key;
-    }
-
-    /** Returns the text by which {@link #timeKeyOf} compares elements. */
-    String timeKey() {
-        return timeKey;
-    }
-
-    boolean hasId() {
-        return named;
     }
 
     List<CommentedElement> children() {

@@ -35,8 +35,12 @@ final class WrittenElement {
         return name;
     }
 
-    Map<String, String> attributes() {
-        return attributes;
+    /** Returns what the element is known by; all its attributes and children have been added. */
+    ElementKey key() {
+        return ElementKey.of(
+                name,
+                attributes,
+                children.stream().map(child -> ElementKey.id(child.attributes)).filter(id -> !id.isEmpty()));
     }
 
     List<WrittenElement> children() {

@@ -119,9 +119,8 @@ public final class XmlWriter {
                 .filter(child -> !child.isText())
                 .map(match::before)
                 .collect(Collectors.toSet());
-        Set<CommentedElement> matched = match.matched();
         for (CommentedElement old : parent.children()) {
-            writeComments(matched.contains(old) ? List.of() : old.before(), depth);
+            writeComments(match.isMatched(old) ? List.of() : old.before(), depth);
             writeComments(containers.contains(old) ? List.of() : old.inside(), depth);
         }
         writeComments(parent.atEnd(), depth);
