@@ -55,46 +55,37 @@ final class FreeDirectionFinder {
     }
 
     /**
-     * Finds the first direction that is free.
+     * Finds the first direction that is free. One that continues the last one is free at a slightly smaller distance
+     * from surfaces on the right of the path, if a smaller one is to be kept from these than from others.
      *
      * @param at the position of the robot
      * @param from the direction of the wall, radians
      * @param length the length that must be free, metres
-     * @param distance to be kept from all surfaces, metres
+     * @param clearance to be kept from surfaces
      * @return whether a direction is free; if none is, the last one that was found remains
      */
-    boolean find(DeadReckoning at, double from, double length, double distance) {
-        return find(at, from, length, distance, distance, 0);
-    }
-
-    /**
-     * Finds the first direction that is free, with a smaller distance from surfaces on the right of the path. A
-     * direction that continues the last one is free at a slightly smaller distance from these.
-     *
-     * @param at the position of the robot
-     * @param from the direction of the wall, radians
-     * @param length the length that must be free, metres
-     * @param distance to be kept from surfaces on the left, and ahead of the platform, metres
-     * @param onRight to be kept from all surfaces, metres
-     * @param half half the platform's width, metres
-     * @return whether a direction is free; if none is, the last one that was found remains
-     */
-    boolean find(DeadReckoning at, double from, double length, double distance, double onRight, double half) {
+    boolean find(DeadReckoning at, double from, double length, PathClearance clearance) {
         for (int i = 0; i < DIRECTIONS; i++) {
             double candidate = from - i * STEP;
-            double cos = StrictMath.cos(candidate);
-            double sin = StrictMath.sin(candidate);
-            double dx = length * cos;
-            double dy = length * sin;
-            if (onRight >= distance
-                    ? isOpen(at, dx, dy, onRight, map::toSurface)
-                    : isOpen(at, dx, dy, continues(candidate) ? onRight - CONTINUES_NEARER : onRight, map::toSurface)
-                            && isOpen(at, dx, dy, distance, (x, y) -> map.toSurfaceOnLeft(x, y, cos, sin, half))) {
+            if (isFree(at, candidate, length, clearance)) {
                 direction = candidate;
                 return true;
             }
         }
         return false;
+    }
+
+    private boolean isFree(DeadReckoning at, double candidate, double length, PathClearance clearance) {
+        double cos = StrictMath.cos(candidate);
+        double sin = StrictMath.sin(candidate);
+        double dx = length * cos;
+        double dy = length * sin;
+        if (clearance.isSameAround()) {
+            return isOpen(at, dx, dy, clearance.onRight(), map::toSurface);
+        }
+        double onRight = continues(candidate) ? clearance.onRight() - CONTINUES_NEARER : clearance.onRight();
+        DoubleBinaryOperator toSurfaceOnLeft = (x, y) -> map.toSurfaceOnLeft(x, y, cos, sin, clearance.halfWidth());
+        return isOpen(at, dx, dy, onRight, map::toSurface) && isOpen(at, dx, dy, clearance.onLeft(), toSurfaceOnLeft);
     }
 
     private boolean continues(double candidate) {

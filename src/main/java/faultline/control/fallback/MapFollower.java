@@ -218,20 +218,20 @@ public final class MapFollower {
         double planned = plannedDistance();
         // A passage that is less than twice as wide as the planned distance is passed along the wall on its left.
         double onRight = Math.min(planned, least + TURNING_MARGIN);
-        if (directionFinder.find(at, wall.direction(), LOOK_AHEAD, planned, onRight, robot.width() / 2)) {
+        if (findOpenDirection(new PathClearance(planned, onRight, robot.width() / 2))) {
             return true;
         }
         if (planned <= least + REACHED_WITHOUT_STEPS) {
-            return findOpenDirection(least);
+            return findOpenDirection(PathClearance.around(least));
         }
         double distance = map.toSurface(at.x(), at.y());
-        return findOpenDirection(Math.min(planned, distance + STEP_AWAY))
-                || findOpenDirection(Math.max(least, distance - MAY_COME_NEARER))
-                || findOpenDirection(least);
+        return findOpenDirection(PathClearance.around(Math.min(planned, distance + STEP_AWAY)))
+                || findOpenDirection(PathClearance.around(Math.max(least, distance - MAY_COME_NEARER)))
+                || findOpenDirection(PathClearance.around(least));
     }
 
-    private boolean findOpenDirection(double distance) {
-        return directionFinder.find(at, wall.direction(), LOOK_AHEAD, distance);
+    private boolean findOpenDirection(PathClearance clearance) {
+        return directionFinder.find(at, wall.direction(), LOOK_AHEAD, clearance);
     }
 
     /**

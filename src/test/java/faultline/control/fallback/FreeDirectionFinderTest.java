@@ -51,7 +51,7 @@ class FreeDirectionFinderTest {
     }
 
     private double degrees(double from, double length, double distance) {
-        assertTrue(directionFinder.find(at, Math.toRadians(from), length, distance));
+        assertTrue(directionFinder.find(at, Math.toRadians(from), length, PathClearance.around(distance)));
         return Math.toDegrees(directionFinder.direction());
     }
 
@@ -100,7 +100,7 @@ class FreeDirectionFinderTest {
     }
 
     private boolean find(double distance, double onRight) {
-        return directionFinder.find(at, StrictMath.PI / 2, LENGTH, distance, onRight, 0.1)
+        return directionFinder.find(at, StrictMath.PI / 2, LENGTH, new PathClearance(distance, onRight, 0.1))
                 && Math.cos(directionFinder.direction()) > 0;
     }
 
@@ -127,7 +127,7 @@ class FreeDirectionFinderTest {
         for (int side = 0; side < 360; side += 90) {
             wall(side, 0.3);
         }
-        assertFalse(directionFinder.find(at, 0, LENGTH, DISTANCE));
+        assertFalse(directionFinder.find(at, 0, LENGTH, PathClearance.around(DISTANCE)));
     }
 
     @Test
@@ -139,7 +139,7 @@ class FreeDirectionFinderTest {
         }
         refresh(0.1);
         assertEquals(45 - 360, degrees(10, LENGTH, DISTANCE), 1e-9, "the last one: 325 degrees clockwise");
-        assertFalse(directionFinder.find(at, Math.toRadians(15), LENGTH, DISTANCE));
+        assertFalse(directionFinder.find(at, Math.toRadians(15), LENGTH, PathClearance.around(DISTANCE)));
         assertEquals(45 - 360, Math.toDegrees(directionFinder.direction()), 1e-9, "the last one remains");
     }
 
