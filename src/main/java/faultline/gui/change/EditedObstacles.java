@@ -7,6 +7,7 @@ import faultline.gui.change.ObstacleOrigins.Origin;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -50,7 +51,7 @@ final class EditedObstacles {
      * @param hidden the indices of the hidden commands of its timeline
      * @param before the obstacles before, from which the order of the obstacles and the removed ones are taken
      */
-    EditedObstacles(SimulationSetup base, Set<Integer> hidden, EditedObstacles before) {
+    private EditedObstacles(SimulationSetup base, Set<Integer> hidden, EditedObstacles before) {
         this.base = base;
         this.origins = new ObstacleOrigins(base);
         before.obstacles.forEach((origin, obstacle) -> {
@@ -91,6 +92,38 @@ final class EditedObstacles {
         obstacles.putAll(other.obstacles);
         removed.clear();
         removed.addAll(other.removed);
+    }
+
+    /**
+     * Returns the obstacles of another setup without edits. If its timeline lacks some commands, they are put back, and
+     * those that are hidden now remain hidden.
+     *
+     * @param setup the setup
+     * @param commands the commands, by their indices in the timeline with them
+     */
+    EditedObstacles rebased(SimulationSetup setup, SortedMap<Integer, TimedCommand> commands) {
+        if (commands.isEmpty()) {
+            return new EditedObstacles(setup, Set.of(), this);
+        }
+        Set<TimedCommand> present = Set.copyOf(setup.timeline());
+        Set<Integer> hiddenNow = hidden().keySet();
+        List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
+        Set<Integer> hidden = new HashSet<>();
+        commands.forEach((place, command) -> {
+            if (!present.contains(command)) {
+                int index = Math.min(place, timeline.size());
+                timeline.add(index, command);
+                if (hiddenNow.contains(place)) {
+                    hidden.add(index);
+                }
+            }
+        });
+        return new EditedObstacles(setup.withTimeline(timeline), hidden, this);
+    }
+
+    /** Returns the setup before the edits, with the hidden commands in its timeline. */
+    SimulationSetup base() {
+        return base;
     }
 
     EditedObstacles copy() {

@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SortedMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -51,42 +50,18 @@ public final class SetupEditor {
     private EditedSetup edited;
 
     public SetupEditor(SimulationSetup setup) {
-        this.base = setup;
-        this.baseObstacles = new EditedObstacles(setup);
-        this.baseReversals = Map.of();
-        this.entries = new ExecutedChanges();
-        reset();
+        this(new EditedObstacles(setup), Map.of());
     }
 
     /**
-     * Creates an editor of a setup whose timeline lacks some commands, unless it contains them, and hides those of
-     * these whose obstacles had been removed before.
+     * Creates an editor without edits.
      *
-     * @param setup the setup
-     * @param lacking the lacking commands, by their indices in the timeline with them
-     * @param before the obstacles before
+     * @param obstacles the obstacles of its setup
      * @param reversals what commands restore that undo earlier edits
      */
-    private SetupEditor(
-            SimulationSetup setup,
-            SortedMap<Integer, TimedCommand> lacking,
-            EditedObstacles before,
-            Map<UndoCommand, Reversal> reversals) {
-        List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
-        Set<TimedCommand> present = lacking.isEmpty() ? Set.of() : new HashSet<>(timeline);
-        Set<Integer> hiddenBefore = before.hidden().keySet();
-        Set<Integer> hidden = new HashSet<>();
-        lacking.forEach((place, command) -> {
-            if (!present.contains(command)) {
-                int index = Math.min(place, timeline.size());
-                timeline.add(index, command);
-                if (hiddenBefore.contains(place)) {
-                    hidden.add(index);
-                }
-            }
-        });
-        this.base = lacking.isEmpty() ? setup : setup.withTimeline(timeline);
-        this.baseObstacles = new EditedObstacles(base, hidden, before);
+    private SetupEditor(EditedObstacles obstacles, Map<UndoCommand, Reversal> reversals) {
+        this.base = obstacles.base();
+        this.baseObstacles = obstacles;
         this.baseReversals = Map.copyOf(reversals);
         this.entries = new ExecutedChanges();
         reset();
@@ -210,7 +185,8 @@ public final class SetupEditor {
     }
 
     private SetupEditor restarted(SimulationSetup newSetup, Map<UndoCommand, Reversal> newReversals) {
-        return new SetupEditor(newSetup, edited.obstacles().hidden(), edited.obstacles(), newReversals);
+        EditedObstacles obstacles = edited.obstacles();
+        return new SetupEditor(obstacles.rebased(newSetup, obstacles.hidden()), newReversals);
     }
 
     /**
@@ -290,11 +266,10 @@ public final class SetupEditor {
     /** Returns an editor of another setup and timeline, with the executed commands and some of the events. */
     private SetupEditor rebased(SimulationSetup newSetup, List<TimedCommand> timeline, Set<CommandResult> events) {
         RobotSpec robot = newSetup.robot();
-        SetupEditor result = new SetupEditor(
-                newSetup.withRobot(removedSensors.returnedTo(robot)).withTimeline(timeline),
-                edited.obstacles().hidden(),
-                baseObstacles,
-                baseReversals);
+        SimulationSetup setup =
+                newSetup.withRobot(removedSensors.returnedTo(robot)).withTimeline(timeline);
+        SetupEditor result =
+                new SetupEditor(baseObstacles.rebased(setup, edited.obstacles().hidden()), baseReversals);
         result.removedSensors = removedSensors.after(base.robot(), edited.robot(), robot);
         boolean sameObstacles = ObstacleOrigins.areEqual(base, result.base);
         if (sameObstacles) {
