@@ -104,23 +104,24 @@ public final class ControllerFactory {
         }
         try {
             if (mode(spec, ControllerMode.DIRECT) == ControllerMode.DIRECT) {
-                closeable.close();
+                close(closeable);
             } else {
-                ControllerThread.call(timeout, Executors.callable(closeable::close));
+                ControllerThread.call(timeout, Executors.callable(() -> close(closeable)));
             }
-        } catch (IllegalStateException e) {
-            throw notClosed(e);
         } catch (ExecutionException e) {
-            throw notClosed(e.getCause());
+            throw RunFailedException.ofCall(e, RunProblem.NOT_CLOSED);
         } catch (TimeoutException e) {
             throw new RunFailedException(RunProblem.NOT_CLOSED.with(ControllerThread.silence("close", timeout)), e);
         }
     }
 
-    /** Returns the exception for a failure of {@link PeriodicController#close}, whose cause is the controller's. */
-    private static RunFailedException notClosed(Throwable failure) {
-        return new RunFailedException(
-                RunProblem.NOT_CLOSED.with(RunFailedException.describe(failure.getCause())), failure.getCause());
+    private static void close(PeriodicController closeable) {
+        try {
+            closeable.close();
+        } catch (IllegalStateException e) {
+            throw new RunFailedException(
+                    RunProblem.NOT_CLOSED.with(RunFailedException.describe(e.getCause())), e.getCause());
+        }
     }
 
     private static Decision failNotChosen() {

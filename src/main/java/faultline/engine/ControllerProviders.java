@@ -136,8 +136,7 @@ public final class ControllerProviders {
                     timeout, () -> Objects.requireNonNull(provider.create(settings), "create returned null"));
             return new StateTracker(controller, MessageText.name(name));
         } catch (ExecutionException e) {
-            throw new RunFailedException(
-                    RunProblem.NOT_CREATED.with(name, RunFailedException.describe(e.getCause())), e.getCause());
+            throw new RunFailedException(RunProblem.NOT_CREATED.with(name, e.getMessage()), e.getCause());
         } catch (TimeoutException e) {
             throw new RunFailedException(
                     RunProblem.NOT_CREATED.with(name, ControllerThread.silence("create", timeout)), e);
@@ -198,12 +197,20 @@ public final class ControllerProviders {
     private static ControllerProvider load(ServiceLoader.Provider<ControllerProvider> type, double timeout) {
         String className = type.type().getName();
         try {
-            return ControllerThread.call(timeout, type::get);
+            return ControllerThread.call(timeout, () -> create(type));
         } catch (ExecutionException e) {
-            throw new RunFailedException(notCreated(type.type(), e.getCause()), e.getCause());
+            throw RunFailedException.ofCall(e, RunProblem.NOT_LOADED);
         } catch (TimeoutException e) {
             String silence = ControllerThread.silence("the constructor of " + className, timeout);
             throw new RunFailedException(RunProblem.NOT_LOADED.with(silence), e);
+        }
+    }
+
+    private static ControllerProvider create(ServiceLoader.Provider<ControllerProvider> type) {
+        try {
+            return type.get();
+        } catch (ServiceConfigurationError | LinkageError e) {
+            throw new RunFailedException(notCreated(type.type(), e), e);
         }
     }
 
@@ -230,7 +237,7 @@ public final class ControllerProviders {
         try {
             name = ControllerThread.call(timeout, provider::name);
         } catch (ExecutionException e) {
-            throw nameless(provider, RunFailedException.describe(e.getCause()), e.getCause());
+            throw nameless(provider, e.getMessage(), e.getCause());
         } catch (TimeoutException e) {
             throw nameless(provider, ControllerThread.silence("name", timeout), e);
         }

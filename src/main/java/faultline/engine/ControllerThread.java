@@ -33,25 +33,26 @@ final class ControllerThread implements AutoCloseable {
 
     /**
      * What a call has returned or thrown; the other is null. The executor would ask for the text of what is thrown,
-     * which may throw an exception, too.
+     * which may throw an exception, too. The text may also take any time, which counts as that of the call.
      *
      * @param <T> the type of the result
      * @param result what the call has returned
      * @param failure what the call has thrown
+     * @param description what it has thrown as text; null if it has returned
      */
-    record CallOutcome<T>(T result, Throwable failure) {
+    record CallOutcome<T>(T result, Throwable failure, String description) {
 
         private static <T> CallOutcome<T> of(Callable<T> call) {
             try {
-                return new CallOutcome<>(call.call(), null);
+                return new CallOutcome<>(call.call(), null, null);
             } catch (Throwable failure) {
-                return new CallOutcome<>(null, failure);
+                return new CallOutcome<>(null, failure, RunFailedException.describe(failure));
             }
         }
 
         private T get() throws ExecutionException {
             if (failure != null) {
-                throw new ExecutionException(null, failure);
+                throw new ExecutionException(description, failure);
             }
             return result;
         }
@@ -79,7 +80,13 @@ final class ControllerThread implements AutoCloseable {
         return executor.submit(() -> CallOutcome.of(call));
     }
 
-    /** Waits for the result of the last call. */
+    /**
+     * Waits for the result of the last call.
+     *
+     * @throws ExecutionException with what the call throws, and with a description of it as the message
+     * @throws TimeoutException if the call does not return in time
+     * @throws InterruptedException if this thread is interrupted
+     */
     <T> T await(Future<CallOutcome<T>> result) throws ExecutionException, TimeoutException, InterruptedException {
         for (int i = 1; i < WAKES; i++) {
             try {
@@ -133,7 +140,7 @@ final class ControllerThread implements AutoCloseable {
      * Returns the result of one call on a thread of its own. An interruption from before the call stays and does not
      * end it.
      *
-     * @throws ExecutionException with what the call throws
+     * @throws ExecutionException with what the call throws, and with a description of it as the message
      * @throws TimeoutException if the call does not return in time
      * @throws RunFailedException if this thread is interrupted during the call. Its message names tick 0, also if the
      *     controller is closed after a run

@@ -6,6 +6,8 @@ import faultline.io.MessageText;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Supplier;
 
 /**
  * Thrown if a run cannot start or continue, or its result cannot be computed: its controller cannot be found, created
@@ -67,14 +69,29 @@ public class RunFailedException extends RuntimeException {
      * @param cause the exception of the controller
      */
     public static RunFailedException ofController(long tick, Throwable cause) {
+        return ofController(tick, cause, () -> describe(cause));
+    }
+
+    /** Returns the exception for a run whose controller threw another one, given what describes that one. */
+    static RunFailedException ofController(long tick, Throwable cause, Supplier<String> description) {
         if (cause instanceof RunFailedException failed) {
             return failed;
         }
         return new RunFailedException(
                 cause instanceof RecordEndedException ended
                         ? RunProblem.RECORD_ENDED.with(ended.ticks())
-                        : RunProblem.CONTROLLER_BROKE.with(tick, describe(cause)),
+                        : RunProblem.CONTROLLER_BROKE.with(tick, description.get()),
                 cause);
+    }
+
+    /**
+     * Returns the exception that a call on the thread of a controller has thrown, or one with a reason that takes a
+     * description if it is of another type.
+     */
+    static RunFailedException ofCall(ExecutionException broken, RunProblem otherwise) {
+        return broken.getCause() instanceof RunFailedException failed
+                ? failed
+                : new RunFailedException(otherwise.with(broken.getMessage()), broken.getCause());
     }
 
     /**

@@ -37,7 +37,7 @@ final class ThreadedHost implements ControllerHost {
         try {
             return thread.await(decision);
         } catch (ExecutionException broken) {
-            throw RunFailedException.ofController(tick, broken.getCause());
+            throw RunFailedException.ofController(tick, broken.getCause(), broken::getMessage);
         } catch (TimeoutException silent) {
             throw new RunFailedException(
                     (thread.end() ? RunProblem.NO_ANSWER : RunProblem.NO_END).with(thread.timeout(), tick), silent);

@@ -155,6 +155,29 @@ class ControllerHostTest {
         }
     }
 
+    /** An exception whose text takes for ever. */
+    static final class Endless extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public String getMessage() {
+            ControllerProvidersTest.waitForEver();
+            return "never";
+        }
+    }
+
+    @Test
+    void anExceptionWhoseTextTakesForEverEndsTheRunAsAControllerThatDoesNotAnswer() {
+        Controller broken = observation -> {
+            throw new Endless();
+        };
+        try (ControllerHost host = new ThreadedHost(broken, 0.05)) {
+            submit(host);
+            RunFailedException failure = assertThrows(RunFailedException.class, host::await);
+            assertEquals("the controller has not answered for 0.05 s at tick 7", failure.getMessage());
+        }
+    }
+
     private static void submit(ControllerHost host) {
         host.submit(AT_TICK_7.tick(), AT_TICK_7.dt(), AT_TICK_7.robot(), AT_TICK_7.readings());
     }

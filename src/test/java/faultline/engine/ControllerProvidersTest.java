@@ -24,8 +24,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -130,7 +132,7 @@ class ControllerProvidersTest {
         }
     }
 
-    private static void waitForEver() {
+    static void waitForEver() {
         try {
             new CountDownLatch(1).await();
         } catch (InterruptedException ended) {
@@ -186,6 +188,8 @@ class ControllerProvidersTest {
                     waitForEver();
                 } else if (how.equals("unspeakable")) {
                     throw new ControllerHostTest.Unspeakable();
+                } else if (how.equals("endless")) {
+                    throw new ControllerHostTest.Endless();
                 }
                 AssertionError error = new AssertionError(how);
                 error.setStackTrace(
@@ -374,6 +378,40 @@ class ControllerProvidersTest {
         assertFails(
                 "the controller cannot be closed: " + unread,
                 () -> run("endless-close", Map.of("close", "unspeakable")));
+    }
+
+    /** A provider whose exceptions have a text that takes for ever. */
+    public static final class EndlessText implements ControllerProvider {
+        /** As the service loader needs it. */
+        public EndlessText() {
+            throw new ControllerHostTest.Endless();
+        }
+
+        @Override
+        public String name() {
+            throw new AssertionError("there is no instance");
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            throw new AssertionError("there is no instance");
+        }
+    }
+
+    @Test
+    @Timeout(value = 1, unit = TimeUnit.MINUTES)
+    void anExceptionWhoseTextTakesForEverIsACallThatDoesNotReturn() throws Exception {
+        addProvider(EndlessText.class);
+        assertFails(
+                "a controller in Java cannot be loaded: the constructor of " + EndlessText.class.getName()
+                        + " has not returned for 0.05 s",
+                () -> ControllerProviders.all(0.05));
+        addProvider(EndlessClose.class);
+        ControllerSpec spec = new ControllerSpec.Provided("endless-close", 0, Map.of("close", "endless"));
+        Controller controller = ControllerFactory.create(spec);
+        assertFails(
+                "the controller cannot be closed: close has not returned for 0.05 s",
+                () -> ControllerFactory.close(controller, spec, 0.05));
     }
 
     @Test
