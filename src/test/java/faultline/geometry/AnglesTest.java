@@ -45,4 +45,12 @@ class AnglesTest {
             assertSame(random.nextInt(-40, 40) * 2 * Math.PI);
         }
     }
+
+    @Test
+    void theDifferenceIsTheSmallestTurnToTheSecondDirection() {
+        assertEquals(0.5, Angles.difference(1, 1.5));
+        assertEquals(-0.5, Angles.difference(1.5, 1));
+        assertEquals(0.2, Angles.difference(Math.PI - 0.1, -Math.PI + 0.1), 1e-15);
+        assertEquals(Math.PI, Angles.difference(0, -Math.PI));
+    }
 }

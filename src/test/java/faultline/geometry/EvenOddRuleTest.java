@@ -41,6 +41,14 @@ class EvenOddRuleTest {
         assertEquals(inside, EvenOddRule.isInside(reversed, point));
     }
 
+    /** The line through (1, 2) and (4, 8): the ray crosses it left of x = y / 2. */
+    @ParameterizedTest
+    @CsvSource({"1.4, 3, true", "1.6, 3, false", "2.9, 6, true", "3.1, 6, false", "0, 1.9, false", "0, 8.1, false"})
+    void theRayCrossesASlantedSideThatIsOnTheRight(double x, double y, boolean crosses) {
+        assertEquals(crosses, EvenOddRule.crosses(x, y, 1, 2, 4, 8));
+        assertEquals(crosses, EvenOddRule.crosses(x, y, 4, 8, 1, 2));
+    }
+
     @Test
     void aRingThatGoesRoundTwiceHasAHole() {
         List<Vector2> twice = List.of(
