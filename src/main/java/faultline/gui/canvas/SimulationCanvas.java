@@ -86,7 +86,7 @@ public final class SimulationCanvas extends AccessibleComponent {
         getAccessibleContext().setAccessibleDescription(Messages.get("canvas.description"));
     }
 
-    /** Shows a frame. The first one, and one of a world of another size, is fitted into the canvas. */
+    /** Shows a frame. The first one of a scenario, and one of a world of another size, is fitted into the canvas. */
     public void setFrame(Frame newest) {
         assert EventQueue.isDispatchThread();
         model.setFrame(newest);

@@ -11,6 +11,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.Camera;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.Component;
@@ -70,6 +71,24 @@ class OpenRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
         driver.enterFile("Open scenario", square);
         driver.waitForTitle("square.xml");
+    }
+
+    @Test
+    void aRestartKeepsTheViewAndAnotherScenarioIsFitted() throws IOException {
+        Camera fitted = callOnEdt(() -> driver.canvas().camera());
+        runOnEdt(() -> driver.canvas().zoomIn());
+        Camera zoomed = callOnEdt(() -> driver.canvas().camera());
+        driver.runFast(frame -> frame.snapshot().tick() > 10);
+        driver.choose("restart");
+        driver.waitForFrame("the start", frame -> frame.snapshot().tick() == 0);
+        assertEquals(zoomed, callOnEdt(() -> driver.canvas().camera()));
+        Path sameSize = Files.copy(office, folder.resolve("other.xml"));
+        runOnEdt(() -> driver.window().open(sameSize));
+        driver.waitForTitle("other.xml");
+        driver.robot()
+                .waitFor(
+                        "the world is fitted",
+                        () -> fitted.equals(driver.canvas().camera()));
     }
 
     /** As when a damaged file is double-clicked: the program has nothing else to show. */

@@ -284,9 +284,10 @@ public final class CanvasTools {
                 .findFirst();
     }
 
-    /** Prepares for another scenario: nothing is dragged, drawn or selected. */
+    /** Prepares for another scenario: nothing is dragged, drawn or selected, and its first frame is fitted. */
     public void startScenario() {
         mouse.startScenario();
+        context.viewport().startScenario();
         clearSelection();
     }
 

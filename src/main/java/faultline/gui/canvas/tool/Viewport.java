@@ -25,7 +25,12 @@ public final class Viewport {
         return camera;
     }
 
-    /** Sets the newest world; one of another size than the last is fitted. */
+    /** Prepares for another scenario, whose first world is fitted. */
+    void startScenario() {
+        world = null;
+    }
+
+    /** Sets the newest world; the first one of a scenario, and one of another size than the last, is fitted. */
     public void setWorld(Snapshot newest) {
         boolean known = world != null && world.width() == newest.width() && world.height() == newest.height();
         world = newest;

@@ -64,6 +64,18 @@ class ViewportTest {
     }
 
     @Test
+    void theFirstWorldOfAnotherScenarioIsFittedAlsoIfItHasTheSizeOfTheLast() {
+        Camera fitted = camera();
+        viewport.moveCamera(camera -> camera.panned(500, 0));
+        viewport.startScenario();
+        viewport.setWorld(robotAt(5, 3));
+        assertEquals(fitted, camera());
+        viewport.moveCamera(camera -> camera.panned(500, 0));
+        viewport.setWorld(robotAt(5, 2));
+        assertNotEquals(fitted, camera());
+    }
+
+    @Test
     void aWorldOfAnotherSizeIsFittedAgain() {
         viewport.zoom(2);
         Snapshot old = robotAt(1, 1);
