@@ -23,6 +23,7 @@ import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
+import javax.swing.text.DefaultCaret;
 
 /** Texts of components that follow the language; see {@link RefreshSteps}. */
 public final class UiText {
@@ -45,7 +46,7 @@ public final class UiText {
 
     /**
      * Creates a component for a text that wraps, which cannot be edited and takes no focus. With a number of columns it
-     * has their width; without, that of its last layout.
+     * has their width; without, that of its last layout. A new text does not scroll what contains the component.
      */
     public static JTextArea wrappedText() {
         JTextArea area = new JTextArea() {
@@ -57,6 +58,10 @@ public final class UiText {
                 return getColumns() == 0 ? size : new Dimension(wide, size.height);
             }
         };
+        // Unlike a caret of the look and feel, this one is kept when the text size changes.
+        DefaultCaret caret = new DefaultCaret();
+        caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+        area.setCaret(caret);
         area.setEditable(false);
         area.setFocusable(false);
         area.setLineWrap(true);

@@ -1,9 +1,13 @@
 package faultline.gui.theme;
 
+import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.ComponentFinder;
+import java.awt.BorderLayout;
+import javax.swing.Box;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.JList;
@@ -11,6 +15,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
+import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
@@ -49,6 +54,26 @@ class UiTextTest {
                 "none",
                 scroll.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                         .get(next));
+    }
+
+    /** A dialog that does not fit the screen stays at its top while a text at its end changes. */
+    @Test
+    void aNewTextDoesNotScrollWhatContainsIt() {
+        JTextArea text = callOnEdt(UiText::wrappedText);
+        JScrollPane form = callOnEdt(() -> {
+            JPanel fields = new JPanel(new BorderLayout());
+            fields.add(Box.createVerticalStrut(500), BorderLayout.CENTER);
+            fields.add(text, BorderLayout.SOUTH);
+            JScrollPane pane = new JScrollPane(fields);
+            pane.setSize(200, 100);
+            ComponentFinder.layOut(pane);
+            text.updateUI();
+            text.setText("A plan is read. It has one outline.");
+            return pane;
+        });
+        // The caret scrolls in a later event.
+        runOnEdt(() -> {});
+        runOnEdt(() -> assertEquals(0, form.getViewport().getViewPosition().y));
     }
 
     @Test
