@@ -1,21 +1,29 @@
 package faultline.gui.theme;
 
 import faultline.gui.text.TextDirection;
+import faultline.gui.text.TextWrap;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.GraphicsEnvironment;
+import java.awt.Insets;
 import java.awt.KeyboardFocusManager;
 import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.beans.PropertyChangeListener;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
+import javax.swing.JToolTip;
 import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import javax.swing.Popup;
@@ -26,6 +34,7 @@ import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.FontUIResource;
+import javax.swing.plaf.basic.BasicGraphicsUtils;
 import javax.swing.plaf.metal.MetalCheckBoxUI;
 import javax.swing.plaf.metal.MetalLabelUI;
 import javax.swing.plaf.metal.MetalLookAndFeel;
@@ -160,8 +169,13 @@ final class FlatLook {
         }
     }
 
-    /** A tool tip that shows its text as it is. */
+    /** A tool tip that shows its text as it is, in as many lines as necessary. */
     public static final class FlatToolTipUI extends MetalToolTipUI {
+
+        /** The maximum width of a line, in widths of a digit. */
+        private static final int MAX_DIGITS = 70;
+
+        private static final double MAX_SHARE_OF_SCREEN = 0.7;
 
         /** Called by Swing to create a delegate. */
         public static ComponentUI createUI(JComponent component) {
@@ -172,6 +186,51 @@ final class FlatLook {
         public void installUI(JComponent tip) {
             showPlainText(tip);
             super.installUI(tip);
+        }
+
+        @Override
+        public Dimension getPreferredSize(JComponent tip) {
+            List<String> lines = lines(tip);
+            if (lines.size() < 2) {
+                return super.getPreferredSize(tip);
+            }
+            FontMetrics metrics = tip.getFontMetrics(tip.getFont());
+            Insets insets = tip.getInsets();
+            int width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+            return new Dimension(
+                    insets.left + width + insets.right,
+                    insets.top + lines.size() * metrics.getHeight() + insets.bottom);
+        }
+
+        @Override
+        public void paint(Graphics graphics, JComponent tip) {
+            List<String> lines = lines(tip);
+            if (lines.size() < 2) {
+                super.paint(graphics, tip);
+                return;
+            }
+            FontMetrics metrics = tip.getFontMetrics(tip.getFont());
+            Insets insets = tip.getInsets();
+            graphics.setFont(tip.getFont());
+            graphics.setColor(tip.getForeground());
+            int y = insets.top + metrics.getAscent();
+            for (String line : lines) {
+                BasicGraphicsUtils.drawString(tip, (Graphics2D) graphics, line, insets.left, y);
+                y += metrics.getHeight();
+            }
+        }
+
+        private List<String> lines(JComponent tip) {
+            String text = Objects.requireNonNullElse(((JToolTip) tip).getTipText(), "");
+            String key = getAcceleratorString();
+            FontMetrics metrics = tip.getFontMetrics(tip.getFont());
+            int width = MAX_DIGITS * metrics.charWidth('0');
+            if (!GraphicsEnvironment.isHeadless()) {
+                int screen = tip.getToolkit().getScreenSize().width;
+                width = Math.min(width, (int) (MAX_SHARE_OF_SCREEN * screen));
+            }
+            List<String> lines = TextWrap.lines(text, metrics, width);
+            return lines.size() < 2 || key.isEmpty() ? lines : TextWrap.lines(text + "  " + key, metrics, width);
         }
     }
 

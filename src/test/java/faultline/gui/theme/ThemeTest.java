@@ -9,9 +9,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.ComponentFinder;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -34,6 +36,8 @@ import javax.swing.plaf.basic.BasicHTML;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class ThemeTest {
 
@@ -68,8 +72,47 @@ class ThemeTest {
         });
     }
 
+    @ParameterizedTest
+    @EnumSource(TextSize.class)
+    void aLongToolTipHasSeveralLinesAndItsTextStaysAsItIs(TextSize size) {
+        runOnEdt(() -> {
+            size.install();
+            Theme.LIGHT.install();
+            JToolTip tip = new JToolTip();
+            tip.setTipText("A tip");
+            Dimension one = tip.getPreferredSize();
+            String text = "The wall is visible from F3 to F4. ".repeat(10).strip();
+            tip.setTipText(text);
+            Dimension several = tip.getPreferredSize();
+            assertTrue(several.width <= TextSize.scaled(640), several.toString());
+            assertTrue(several.height > 3 * one.height, several.toString());
+            assertEquals(text, tip.getAccessibleContext().getAccessibleDescription());
+            tip.setSize(several);
+            int[] ink = inkOfRows(tip);
+            long lines = IntStream.range(1, ink.length)
+                    .filter(y -> ink[y - 1] == 0 && ink[y] > 0)
+                    .count();
+            assertTrue(lines > 3 && lines < 9, "lines: " + lines);
+        });
+    }
+
+    /** Returns how many pixels in each row of a tip differ from its background. */
+    private static int[] inkOfRows(JToolTip tip) {
+        BufferedImage image = new BufferedImage(tip.getWidth(), tip.getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        tip.paint(graphics);
+        graphics.dispose();
+        int background = image.getRGB(0, 0);
+        return IntStream.range(0, tip.getHeight())
+                .map(y -> (int) IntStream.range(0, tip.getWidth())
+                        .filter(x -> image.getRGB(x, y) != background)
+                        .count())
+                .toArray();
+    }
+
     @AfterEach
     void light() {
+        runOnEdt(TextSize.NORMAL::install);
         runOnEdt(Theme.LIGHT::install);
     }
 
