@@ -90,6 +90,11 @@ final class EditNotifier implements WorkspaceListener {
     }
 
     @Override
+    public void scenarioRestarted(SimulationSetup before) {
+        notes.remove(failureNote);
+    }
+
+    @Override
     public void runRepositioned(long tick, SimulationSetup setup, boolean eventsOnTimeline) {
         notes.remove(failureNote);
     }

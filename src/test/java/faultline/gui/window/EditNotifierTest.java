@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.gui.Await;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.Notes;
@@ -54,6 +55,17 @@ class EditNotifierTest {
         assertEquals(List.of("The run has failed; restart it with F5, or move it to an earlier time"), shown);
         runOnEdt(() -> notifier.runRepositioned(0, null, false));
         assertEquals(List.of(), shown);
+    }
+
+    @Test
+    void theNoteAboutAFailedRunGoesWhenTheScenarioIsRestarted() {
+        runOnEdt(() -> {
+            workspace.addListener(notifier);
+            notifier.failedRunResumed();
+        });
+        assertEquals(1, shown.size());
+        runOnEdt(run::restart);
+        Await.until("the note is gone", shown::isEmpty);
     }
 
     @Test
