@@ -66,13 +66,12 @@ public final class GesturePicker {
             return new RubberBandGesture(model, viewport, at);
         }
         Runnable otherwise = left ? () -> selectSensorAt(at) : () -> {};
-        Optional<Obstacle> travelling = ObstacleFinder.ofWaypointAt(model, camera(), at);
-        return new PanGesture(
-                viewport,
-                at,
-                travelling
-                        .<Runnable>map(found -> () -> model.select(Set.of(found.id())))
-                        .orElse(otherwise));
+        Runnable click = ObstacleFinder.ofWaypointAt(model, camera(), at)
+                .<Runnable>map(found -> () -> model.select(Set.of(found.id())))
+                .orElse(otherwise);
+        return isOnMovableRobot(at)
+                ? new RobotUnderWayGesture(at, listeners, click)
+                : new PanGesture(viewport, at, click);
     }
 
     private Optional<DragOperation> handleDrag(Vector2 at) {
@@ -193,10 +192,12 @@ public final class GesturePicker {
 
     /** Returns the world if its robot is at a position and has not started yet. */
     private Optional<Snapshot> robotAtStart(Vector2 at) {
-        return model.frame()
-                .map(frame -> frame.snapshot())
-                .filter(world ->
-                        listeners.hasStartListener() && world.tick() == 0 && model.isOnRobot(camera().toWorld(at)));
+        return model.frame().map(frame -> frame.snapshot()).filter(world -> world.tick() == 0 && isOnMovableRobot(at));
+    }
+
+    /** Returns whether a position is on a robot that can be moved while it has not started. */
+    private boolean isOnMovableRobot(Vector2 at) {
+        return listeners.hasStartListener() && model.isOnRobot(camera().toWorld(at));
     }
 
     private void selectSensorAt(Vector2 at) {

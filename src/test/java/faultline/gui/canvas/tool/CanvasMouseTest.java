@@ -23,6 +23,7 @@ import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.Snapshot;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.awt.Point;
@@ -35,6 +36,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
@@ -344,6 +346,37 @@ class CanvasMouseTest {
         }
         dragBoxAcrossTheRobot();
         assertEquals(2, sent.size());
+    }
+
+    @Test
+    void aDragOfARobotThatHasStartedIsRefusedWithANoteAndKeepsTheView() {
+        List<String> notes = new ArrayList<>();
+        List<Pose> starts = new ArrayList<>();
+        List<Predicate<Snapshot>> held = new ArrayList<>();
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(6, 4, true, 3, List.of()), new Pose(1, 1, 0));
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            Snapshot atStart = simulation.snapshot();
+            simulation.tick();
+            runOnEdt(() -> {
+                canvas.setFrame(simulation.frame());
+                canvas.tools().listeners().addStartListener(starts::add);
+                canvas.tools().listeners().addNoteListener((note, holds) -> {
+                    notes.add(note);
+                    held.add(holds);
+                });
+            });
+            Camera fitted = callOnEdt(canvas::camera);
+            drag(screen(new Vector2(1, 1)), 2, MouseEvent.BUTTON1);
+            assertEquals(List.of(), notes);
+            drag(screen(new Vector2(1, 1)), 90, MouseEvent.BUTTON1);
+            assertEquals(List.of("The robot can be moved at 0 s only; choose Simulation > Restart first"), notes);
+            assertTrue(held.get(0).test(simulation.snapshot()));
+            assertFalse(held.get(0).test(atStart), "the note ends with a restart");
+            assertEquals(List.of(), starts);
+            assertEquals(fitted, callOnEdt(canvas::camera));
+            drag(screen(new Vector2(3, 3)), 90, MouseEvent.BUTTON1);
+            assertNotEquals(fitted, callOnEdt(canvas::camera));
+        }
     }
 
     private void dragBoxAcrossTheRobot() {
