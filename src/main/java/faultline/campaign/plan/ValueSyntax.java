@@ -191,8 +191,10 @@ public final class ValueSyntax {
     /**
      * {@return a set of sensors as it is written in results: the word none for no sensor} A sensor whose id is that
      * word is in quotes if it is the only one.
+     *
+     * @param sensors the ids, without double quotes
      */
-    static String formatSensorSet(List<String> sensors) {
+    public static String formatSensorSet(List<String> sensors) {
         String list = formatIdList(sensors);
         return sensors.isEmpty() ? NO_SENSOR : list.equals(NO_SENSOR) ? '"' + list + '"' : list;
     }

@@ -83,10 +83,7 @@ final class CampaignRuns {
 
     private CampaignRuns(CampaignPlan plan, ParsedTable table) {
         this.plan = plan;
-        this.faults = plan.factors().stream()
-                .filter(factor -> factor.kind() == FactorKind.FAULTS)
-                .map(FaultColumns::of)
-                .toList();
+        this.faults = factors(FactorKind.FAULTS).stream().map(FaultColumns::of).toList();
         for (int i = 0; i < table.header().size(); i++) {
             indices.putIfAbsent(table.header().get(i), i);
         }
@@ -253,9 +250,9 @@ final class CampaignRuns {
                 && rows.stream().anyMatch(row -> !row.text(column).isEmpty());
     }
 
-    /** Returns the first factor of a kind. */
-    Optional<FactorSummary> factor(FactorKind kind) {
-        return plan.factors().stream().filter(factor -> factor.kind() == kind).findFirst();
+    /** Returns the factors of a kind. */
+    List<FactorSummary> factors(FactorKind kind) {
+        return plan.factors().stream().filter(factor -> factor.kind() == kind).toList();
     }
 
     /** Returns the factors whose levels are compared side by side: attributes and variants with a few levels. */

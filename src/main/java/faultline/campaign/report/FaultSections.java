@@ -51,9 +51,7 @@ final class FaultSections {
             return "";
         }
         StringBuilder tables = new StringBuilder();
-        Optional<String> compared = campaign.comparedFactors().stream()
-                .map(factor -> factor.columns().get(0).name())
-                .findFirst();
+        Optional<String> compared = comparedColumn();
         CampaignRuns.group(campaign.rows(), row -> compared.map(row::text).orElse(""))
                 .forEach((level, rows) -> {
                     compared.ifPresent(column -> tables.append("<h3>")
@@ -72,6 +70,15 @@ final class FaultSections {
                 Html.paragraph("Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the"
                                 + " number of runs." + otherFaults())
                         + tables);
+    }
+
+    /** Returns the column of the first compared factor; empty if no factor is compared. */
+    private Optional<String> comparedColumn() {
+        return campaign.comparedFactors().stream().map(FaultSections::column).findFirst();
+    }
+
+    private static String column(FactorSummary factor) {
+        return factor.columns().get(0).name();
     }
 
     private String otherFaults() {
@@ -173,39 +180,70 @@ final class FaultSections {
         return Html.format(value < 10 ? "%.2f" : "%.0f", value);
     }
 
-    /** Returns the smallest sets of sensors with which the robot carries on, empty without masks. */
+    /**
+     * Returns the smallest sets of sensors with which the robot carries on, for each level of the first compared
+     * factor; empty without masks.
+     */
     String sensorSets() {
-        Optional<FactorSummary> masks = campaign.factor(FactorKind.MASKS);
+        List<String> masks = campaign.factors(FactorKind.MASKS).stream()
+                .map(FaultSections::column)
+                .toList();
         if (masks.isEmpty()) {
             return "";
         }
-        String column = masks.get().columns().get(0).name();
+        StringBuilder sections = new StringBuilder();
+        Optional<String> compared = comparedColumn();
+        CampaignRuns.group(campaign.rows(), row -> compared.map(row::text).orElse(""))
+                .forEach((level, rows) -> sections.append(Html.section(
+                        "Minimum sets of sensors"
+                                + compared.map(column -> ": " + column + " " + level)
+                                        .orElse(""),
+                        sensorSets(sets(rows, masks)))));
+        return sections.toString();
+    }
+
+    private String sensorSets(List<SensorSet> sets) {
+        String percent = Survival.percentText(SUFFICIENT) + " %";
+        return Html.paragraph("A set is sufficient if the robot carries on in at least " + percent
+                        + " of its runs, minimal if no smaller set inside it is sufficient. "
+                        + count(sets, SensorSet::isSufficient)
+                        + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
+                        + " interval is at " + percent + " or more, which requires " + certainRuns()
+                        + " independent runs or more; "
+                        + count(sets, SensorSet::isCertain) + " are certain." + pooledFactors())
+                + minimumTable(sets)
+                + "<h3>All sets</h3>\n"
+                + Html.table(
+                        "numbers", List.of("sensors on", "sets", "sufficient", "best set", "carried on"), bySize(sets));
+    }
+
+    /** Returns the sets of sensors of some runs. The masks of a run switch different sensors. */
+    private static List<SensorSet> sets(List<RunRow> rows, List<String> masks) {
         List<SensorSet> sets = new ArrayList<>();
         Map<String, Integer> numbers = new HashMap<>();
-        CampaignRuns.group(campaign.rows(), row -> row.text(column)).forEach((name, rows) -> {
+        CampaignRuns.group(rows, row -> masks.stream().map(row::text).toList()).forEach((names, group) -> {
+            List<String> ids = names.stream()
+                    .flatMap(name -> ValueSyntax.parseSensorSet(name).stream())
+                    .toList();
             BitSet sensors = new BitSet();
-            for (String id : ValueSyntax.parseSensorSet(name)) {
+            for (String id : ids) {
                 numbers.putIfAbsent(id, numbers.size());
                 sensors.set(numbers.get(id));
             }
-            sets.add(new SensorSet(name, sensors, Survival.of(rows)));
+            String name = names.size() == 1 ? names.get(0) : ValueSyntax.formatSensorSet(ids);
+            sets.add(new SensorSet(name, sensors, Survival.of(group)));
         });
-        String percent = Survival.percentText(SUFFICIENT) + " %";
-        return Html.section(
-                "Minimum sets of sensors",
-                Html.paragraph("A set is sufficient if the robot carries on in at least " + percent
-                                + " of its runs, minimal if no smaller set inside it is sufficient. "
-                                + count(sets, SensorSet::isSufficient)
-                                + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
-                                + " interval is at " + percent + " or more, which requires " + certainRuns()
-                                + " independent runs or more; "
-                                + count(sets, SensorSet::isCertain) + " are certain.")
-                        + minimumTable(sets)
-                        + "<h3>All sets</h3>\n"
-                        + Html.table(
-                                "numbers",
-                                List.of("sensors on", "sets", "sufficient", "best set", "carried on"),
-                                bySize(sets)));
+        return sets;
+    }
+
+    /** Returns a sentence about the factors of which a set has runs with all levels, empty if there are none. */
+    private String pooledFactors() {
+        String pooled = campaign.plan().factors().stream()
+                .filter(factor -> factor.kind() != FactorKind.MASKS && factor.levelCount() > 1)
+                .map(FaultSections::column)
+                .filter(column -> !comparedColumn().equals(Optional.of(column)))
+                .collect(Collectors.joining(", "));
+        return pooled.isEmpty() ? "" : " The runs of a set are those with all levels of " + pooled + ".";
     }
 
     /** Returns the least number of runs of a certain set, if the robot carries on in all of them. */

@@ -9,6 +9,7 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.xml.ScenarioException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -82,14 +83,72 @@ class SensorSetsTest {
         assertTrue(section().contains(limits), section());
     }
 
+    /** Reads a plan with these elements, and begins its table. */
+    private void usePlan(String elements) throws ScenarioException {
+        plan = SamplePlan.read(
+                SamplePlan.text("", "<worlds><scenario file=\"a.xml\"/></worlds><seeds count=\"20\"/>" + elements));
+        List<String> header = new ArrayList<>(List.of("run", "block", "world", "carried_on"));
+        plan.factorColumns().forEach(column -> header.add(column.name()));
+        lines.clear();
+        lines.add(header);
+    }
+
+    /** Adds 20 runs with these values of the first columns of factors, in some of which the robot carries on. */
+    private void addRuns(int successes, String... values) {
+        for (int i = 0; i < 20; i++) {
+            List<String> line = new ArrayList<>(
+                    List.of(Integer.toString(lines.size() - 1), Integer.toString(i), "a", i < successes ? "1" : "0"));
+            line.addAll(List.of(values));
+            line.addAll(Collections.nCopies(lines.get(0).size() - line.size(), ""));
+            lines.add(line);
+        }
+    }
+
+    /** Without diagnosis no single sensor is enough, with it each is. Of all runs of "front", 50 % carry on. */
     @Test
-    void theSetsAreThoseOfTheMasksWhateverElseVaries() throws ScenarioException {
-        plan = SamplePlan.read(SamplePlan.text(
-                "",
-                "<worlds><scenario file=\"a.xml\"/></worlds><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>"
-                        + "<masks sensors=\"front left\"/>"));
-        addRuns("front", 20, 20);
-        assertTrue(section().contains(row("front")), section());
+    void eachLevelOfTheComparedSettingHasItsOwnSection() throws ScenarioException {
+        usePlan("<masks sensors=\"front left\"/><set attribute=\"controller/@diagnosis\" value=\"on off\"/>");
+        addRuns(20, "front", "1", "on");
+        addRuns(20, "front left", "2", "on");
+        addRuns(0, "front", "1", "off");
+        addRuns(20, "front left", "2", "off");
+        String[] sections = section().split("<section>");
+        assertEquals(3, sections.length, section());
+        assertTrue(sections[1].contains("<h2>Minimum sets of sensors: controller_diagnosis on</h2>"), sections[1]);
+        assertTrue(sections[1].contains(" 2 of 2 sets are sufficient."), sections[1]);
+        assertTrue(sections[1].contains(row("front")), sections[1]);
+        assertTrue(sections[2].contains("<h2>Minimum sets of sensors: controller_diagnosis off</h2>"), sections[2]);
+        assertTrue(sections[2].contains(" 1 of 2 sets are sufficient."), sections[2]);
+        assertFalse(sections[2].contains(row("front")), sections[2]);
+        assertTrue(sections[2].contains(row("front left")), sections[2]);
+        assertFalse(section().contains("The runs of a set are those"), section());
+    }
+
+    @Test
+    void theReportNamesTheFactorsWhoseLevelsASetIncludes() throws ScenarioException {
+        usePlan("<set attribute=\"controller/@diagnosis\" value=\"on off\"/>"
+                + "<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>"
+                + "<set attribute=\"controller/@distance\" value=\"0.2..0.3\"/>"
+                + "<faults><healthy/><fault sensor=\"front\" kind=\"off\" at=\"1\"/></faults>"
+                + "<masks sensors=\"front left\"/>");
+        addRuns(20, "on");
+        String sentence = " The runs of a set are those with all levels of robot_speed_m_s, fault_kind.</p>";
+        assertTrue(section().contains(sentence), section());
+    }
+
+    @Test
+    void theSensorsOfSeveralMasksAreOneSet() throws ScenarioException {
+        usePlan("<masks sensors=\"front left\"/><masks sensors=\"rear right\" name=\"others\"/>");
+        addRuns(0, "none", "0", "none", "0");
+        addRuns(0, "none", "0", "rear", "1");
+        addRuns(20, "left", "1", "rear", "1");
+        addRuns(20, "none", "0", "right", "1");
+        addRuns(20, "left", "1", "none", "0");
+        assertTrue(section().contains(" 3 of 5 sets are sufficient."), section());
+        assertTrue(section().contains(row("left") + "<td>1</td>"), section());
+        assertTrue(section().contains(row("right") + "<td>1</td>"), section());
+        assertFalse(section().contains(row("left rear")), section());
+        assertTrue(section().contains(row("2") + "<td>1</td><td>1</td><td>left rear</td>"), section());
     }
 
     @Test
