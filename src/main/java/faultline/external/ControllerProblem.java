@@ -110,6 +110,12 @@ public enum ControllerProblem implements Message.Template {
     MISSING("missing"),
     /** The value of a member that is a string. */
     GIVEN_STRING("the string {0}"),
+    /** The value of a member that is a number. */
+    GIVEN_NUMBER("the number {0}"),
+    /** The value of a member that is an array. */
+    GIVEN_ARRAY("the array {0}"),
+    /** The value of a member that is an object. */
+    GIVEN_OBJECT("the object {0}"),
     /** A string is expected. */
     STRING("a string"),
     /** A number is expected. */

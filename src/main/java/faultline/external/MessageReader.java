@@ -184,8 +184,16 @@ final class MessageReader {
         if (value == null) {
             return ControllerProblem.MISSING.with();
         }
-        return value instanceof String string
-                ? ControllerProblem.GIVEN_STRING.with(MessageText.quoted(string))
-                : MessageText.quoted(textOf(value));
+        if (value instanceof String string) {
+            return ControllerProblem.GIVEN_STRING.with(MessageText.quoted(string));
+        }
+        String json = MessageText.excerpt(textOf(value));
+        if (value instanceof Number) {
+            return ControllerProblem.GIVEN_NUMBER.with(json);
+        }
+        if (value instanceof List) {
+            return ControllerProblem.GIVEN_ARRAY.with(json);
+        }
+        return value instanceof Map ? ControllerProblem.GIVEN_OBJECT.with(json) : json;
     }
 }

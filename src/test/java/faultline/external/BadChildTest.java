@@ -80,7 +80,7 @@ class BadChildTest {
                 read l; printf '{"type":"ready","protocol":1}\\n{"type":"drive","tick":0,"left_v":1,"right_v":1}\\n'; sleep 60 | answered at tick 0 before the observation was sent; expected an answer to each observation
                 read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing; expected a finite number
                 read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is the string "1"; expected a finite number
-                read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is "1e999"; expected a finite number
+                read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is the number 1e999; expected a finite number
                 read l; echo R; read l; echo '{"type":"drive","tick":0}' | wrote a drive message at tick 0 with neither voltages nor velocities; expected either left_v and right_v or v_m_s and omega_rad_s
                 read l; echo R; read l; exit 7 | ended with exit code 7 at tick 0
                 read l; echo R; read l; printf '{"type":'; exit 0 | ended with exit code 0 at tick 0 in the middle of a line

@@ -46,7 +46,7 @@ class BuiltInChildTest {
             "dt_s":0.01     | "dt_s":-0       |                                | has ticks of -0 s; expected more than 0
             "dt_s":0.01     | "dt_s":1e-9     |                                | has ticks of 0.000000001 s; expected from 0.00001 to 1 seconds
             "dt_s":0.01     | "dt_s":1.5      |                                | has ticks of 1.5 s; expected from 0.00001 to 1 seconds
-            "dt_s":0.01     | "dt_s":{"a":[1,null,"x"]} |                      | wrote a message whose "dt_s" is "{"a":[1,null,"x"]}"; expected a finite number
+            "dt_s":0.01     | "dt_s":{"a":[1,null,"x"]} |                      | wrote a message whose "dt_s" is the object {"a":[1,null,"x"]}; expected a finite number
             "robot":        | "robt":         |                                | wrote a message whose "robot" is missing; expected an object
             "width_m":0.2   | "width_m":-0.2  |                                | describes a robot that cannot be: its width_m is -0.2; expected from 0.000001 to 100000 metres
             "length_m":0.25 | "length_m":1e300 |                               | describes a robot that cannot be: its length_m is 1E+300; expected from 0.000001 to 100000 metres
@@ -56,8 +56,8 @@ class BuiltInChildTest {
             "range_m":0.8   | "range_m":1e12  |                                | describes a robot that cannot be: its range_m is 1000000000000; expected from 0.000001 to 100000 metres
             "front-left"    | "front"         |                                | describes a robot that cannot be: two sensors have the id front
             "protocol":1    | "protocol":1.0  | "readings_m":[],"answers":[]   | wrote an observe message with 0 readings and 0 answers; expected 8 of each, one for each sensor
-            "protocol":1    | "protocol":1.0  | "readings_m":[1e999],"answers":[true] | wrote a message whose "readings_m" is "[1e999]"; expected an array of finite numbers
-            "protocol":1    | "protocol":1.0  | "readings_m":[1],"answers":[1] | wrote a message whose "answers" is "[1]"; expected an array of true and false
+            "protocol":1    | "protocol":1.0  | "readings_m":[1e999],"answers":[true] | wrote a message whose "readings_m" is the array [1e999]; expected an array of finite numbers
+            "protocol":1    | "protocol":1.0  | "readings_m":[1],"answers":[1] | wrote a message whose "answers" is the array [1]; expected an array of true and false
             "protocol":1    | "protocol":1.0  | "readings_m":[1,1,1,1,1,1,1,1],"answers":[true] | wrote an observe message with 8 readings and 1 answers; expected 8 of each, one for each sensor
             "protocol":1    | "protocol":1.0  | "readings_m":[1],"answers":[true,true,true,true,true,true,true,true] | wrote an observe message with 1 readings and 8 answers; expected 8 of each, one for each sensor
             """)
@@ -96,7 +96,7 @@ class BuiltInChildTest {
         }
         String failure = assertThrows(RunFailedException.class, () -> child.run(setup.controller()))
                 .getMessage();
-        assertTrue(failure.startsWith("the simulator wrote a message whose \"tick\" is \""), failure);
+        assertTrue(failure.startsWith("the simulator wrote a message whose \"tick\" is the number "), failure);
         assertTrue(failure.endsWith("; expected " + expected), failure);
     }
 

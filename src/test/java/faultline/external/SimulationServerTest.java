@@ -275,16 +275,19 @@ class SimulationServerTest {
             textBlock =
                     """
             {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump"; expected reset, drive or close
-            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a message at tick 0 whose "ticks" is "0"; expected a whole number from 1 to 1000000000
-            {"type":"drive","left_v":1,"right_v":1,"ticks":1.5} | the client wrote a message at tick 0 whose "ticks" is "1.5"; expected a whole number from 1 to 1000000000
-            {"type":"drive","left_v":1,"right_v":1,"ticks":1e300} | the client wrote a message at tick 0 whose "ticks" is "1E+300"; expected a whole number from 1 to 1000000000
-            {"type":"drive","left_v":1,"right_v":1,"ticks":1000000001} | the client wrote a message at tick 0 whose "ticks" is "1000000001"; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a message at tick 0 whose "ticks" is the number 0; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":1.5} | the client wrote a message at tick 0 whose "ticks" is the number 1.5; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":1e300} | the client wrote a message at tick 0 whose "ticks" is the number 1E+300; expected a whole number from 1 to 1000000000
+            {"type":"drive","left_v":1,"right_v":1,"ticks":1000000001} | the client wrote a message at tick 0 whose "ticks" is the number 1000000001; expected a whole number from 1 to 1000000000
             {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing; expected a finite number
+            {"type":"drive","left_v":1,"right_v":1,"state":4}  | the client wrote a message at tick 0 whose "state" is the number 4; expected a string
+            {"type":"drive","left_v":1,"right_v":1,"why":true} | the client wrote a message at tick 0 whose "why" is true; expected a string
+            {"type":"drive","left_v":null,"right_v":[]}        | the client wrote a message at tick 0 whose "left_v" is null; expected a finite number
             {"type":"reset","seed":"7"}                        | the client wrote a message at tick 0 whose "seed" is the string "7"; expected a whole number
-            {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is "1.5"; expected a whole number
-            {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is "9223372036854775808"; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
-            {"type":"reset","seed":9007199254740992.0}         | the client wrote a message at tick 0 whose "seed" is "9007199254740992"; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
-            {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is "1E+16"; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
+            {"type":"reset","seed":1.5}                        | the client wrote a message at tick 0 whose "seed" is the number 1.5; expected a whole number
+            {"type":"reset","seed":9223372036854775808}        | the client wrote a message at tick 0 whose "seed" is the number 9223372036854775808; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
+            {"type":"reset","seed":9007199254740992.0}         | the client wrote a message at tick 0 whose "seed" is the number 9007199254740992; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
+            {"type":"reset","seed":1e16}                       | the client wrote a message at tick 0 whose "seed" is the number 1E+16; expected a whole number from -9223372036854775808 to 9223372036854775807, without point and exponent if it has more than 15 digits
             {"type":"drive","tick":99,"left_v":1,"right_v":1}  | the client answered tick 99 at tick 0; expected the tick of the observation
             {"type":"drive","tick":"0","left_v":1,"right_v":1} | the client wrote a message at tick 0 whose "tick" is the string "0"; expected a whole number
             hello                                              | the client wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
