@@ -81,13 +81,20 @@ public final class CampaignMerge {
     /** Checks that every run is in exactly one part. */
     private void checkWhole() throws IOException {
         long next = 0;
+        ShardFolder last = null;
         for (ShardFolder part : parts) {
             long first = part.shard.firstRun(plan.runCount());
+            if (first < next && part.shard.equals(last.shard)) {
+                boolean same = part.folder.toString().equals(last.folder.toString());
+                throw new IOException(part.folder
+                        + (same ? ": this folder is given twice" : ": this is the same part as " + last.folder));
+            }
             if (first != next) {
                 throw new IOException(part.folder + ": its runs begin with " + first + ", but run " + next
                         + (first > next ? " is in no part" : " comes next after the other parts"));
             }
             next = part.shard.endRun(plan.runCount());
+            last = part;
         }
         if (next != plan.runCount()) {
             throw new IOException("the runs from " + next + " to " + (plan.runCount() - 1) + " are in no part");

@@ -372,7 +372,7 @@ class CampaignRunnerTest {
         cannotMerge("the runs from 24 to 35 are in no part", one, two);
         cannotMerge("run 0 is in no part", two, three);
         cannotMerge("run 12 is in no part", one, three);
-        cannotMerge("run 24 comes next", one, two, two, three);
+        cannotMerge("2: this folder is given twice", one, two, two, three);
         Files.write(two.runs(), Arrays.copyOf(Files.readAllBytes(two.runs()), 900));
         cannotMerge("--shard 2/3 --resume makes the rest", one, two, three);
     }
