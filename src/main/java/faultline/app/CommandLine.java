@@ -96,8 +96,7 @@ final class CommandLine {
         } catch (UsageException e) {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage() + " (see faultline --help)");
         } catch (ScenarioException e) {
-            output.printError(e);
-            return ExitCode.BAD_INPUT;
+            return reportProblems(e);
         } catch (UncheckedIOException e) {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + describe(e.getCause()));
         } catch (IOException e) {
@@ -107,6 +106,16 @@ final class CommandLine {
         } catch (RuntimeException | Error e) {
             return reportFailure(e);
         }
+    }
+
+    /** Reports the problems of a file, and the options that take it if it is a program. */
+    private int reportProblems(ScenarioException e) {
+        output.printError(e);
+        String file = e.problems().get(0).file();
+        if (file.endsWith(".py") || file.endsWith(".jar")) {
+            output.printError("faultline: a program is chosen with --controller, a jar with --jar, beside a scenario");
+        }
+        return ExitCode.BAD_INPUT;
     }
 
     private int reportFailure(Throwable e) {

@@ -344,6 +344,17 @@ class CommandLineTest {
                 command(arguments.split(" ")));
     }
 
+    @Test
+    void whoOpensAControllerAsAScenarioLearnsTheOptionsForIt(@TempDir Path programs) throws Exception {
+        Path program = Files.writeString(programs.resolve("robot.py"), "import faultline\n");
+        String hint = "\nfaultline: a program is chosen with --controller, a jar with --jar, beside a scenario\n";
+        CommandResult refused = command("run", program.toString());
+        assertEquals(2, refused.code());
+        assertTrue(refused.err().endsWith(hint), refused.err());
+        Path room = Files.writeString(programs.resolve("robot.xml"), "import faultline\n");
+        assertTrue(!command("run", room.toString()).err().contains("--controller"));
+    }
+
     /** The virtual machine puts this character in the place of bytes that are not in the encoding of the locale. */
     @Test
     void aNameWithAReplacementCharacterIsOnlyThatOfAFileThatExists(@TempDir Path names) throws Exception {

@@ -22,6 +22,7 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.Icon;
@@ -164,8 +165,17 @@ public final class Dialogs {
         if (FloorPlanFiles.isFloorPlan(file)) {
             sentences.add(Messages.get("badFile.floorPlan"));
         }
+        if (isController(file)) {
+            sentences.add(Messages.get("badFile.controller"));
+        }
         sentences.add(Messages.get(keepsScenario ? "badFile.kept" : "badFile.example"));
         return String.join(" ", sentences);
+    }
+
+    /** Returns whether a file is a program in Python or a jar, by its name. */
+    private static boolean isController(Path file) {
+        String name = FileNames.lastOf(file).toLowerCase(Locale.ROOT);
+        return name.endsWith(".py") || name.endsWith(".jar");
     }
 
     private static String positionText(int number) {

@@ -45,4 +45,12 @@ class DialogsTest {
                 "map.PNG cannot be opened. File > Import floor plan opens maps and images. An example is open instead.",
                 Dialogs.headingText(Path.of("map.PNG"), false));
     }
+
+    @Test
+    void whoOpensAControllerAsAScenarioLearnsHowToChooseIt() {
+        String hint = " cannot be opened. Simulation > Choose controller drives the robot with a program or a jar."
+                + " The current scenario remains open.";
+        assertEquals("robot.py" + hint, Dialogs.headingText(Path.of("robot.py"), true));
+        assertEquals("robot.JAR" + hint, Dialogs.headingText(Path.of("robot.JAR"), true));
+    }
 }
