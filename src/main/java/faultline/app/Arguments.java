@@ -75,8 +75,16 @@ final class Arguments {
     private static void requireKnown(String option, List<String> known) throws UsageException {
         if (!known.contains(option)) {
             throw new UsageException("there is no option " + MessageText.quoted(option) + " here; expected "
-                    + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known));
+                    + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known)
+                    + fileHint(option));
         }
+    }
+
+    /** Returns how a file whose name begins like an option is written; empty if there is no such file. */
+    private static String fileHint(String argument) throws UsageException {
+        return Files.exists(parsePath(argument))
+                ? "; the file of this name is written " + MessageText.excerpt("./" + argument)
+                : "";
     }
 
     /** A value that begins like an option can only be written as {@code --option=VALUE}. */
@@ -169,6 +177,10 @@ final class Arguments {
     Optional<Path> outputOption(String option) throws UsageException {
         Optional<Path> file = fileOption(option);
         String name = value(option).orElse("");
+        if (name.equals("-")) {
+            throw UsageException.ofValue(
+                    option, name, "the name of a file; standard output is /dev/stdout, and a file named - is ./-");
+        }
         // That an existing folder is no file is said when it is opened.
         if ((name.endsWith("/") || name.endsWith(File.separator)) && !Files.isDirectory(file.orElseThrow())) {
             throw UsageException.ofValue(option, name, "the name of a file, which does not end with a slash");

@@ -288,6 +288,7 @@ class CommandLineTest {
             help rnu                        | help takes the name of one command, not "rnu"; did you mean "run"?
             -h run check                    | -h takes the name of one command, not "run check"
             run a.xml --trace new/          | --trace is "new/"; expected the name of a file, which does not end with a slash
+            import a.png --out -            | --out is "-"; expected the name of a file; standard output is /dev/stdout, and a file named - is ./-
             import a.png --out new/         | --out is "new/"; expected the name of a file, which does not end with a slash
             --version 0.1.0                 | --version takes nothing, not "0.1.0"
             --controller none x.xml         | there is no command "--controller"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; options follow it
@@ -353,6 +354,17 @@ class CommandLineTest {
         assertTrue(refused.err().endsWith(hint), refused.err());
         Path room = Files.writeString(programs.resolve("robot.xml"), "import faultline\n");
         assertTrue(!command("run", room.toString()).err().contains("--controller"));
+    }
+
+    @Test
+    void anExistingFileThatBeginsLikeAnOptionHasAnotherName() throws Exception {
+        Path file = Files.createTempFile(Path.of(""), "-room", ".xml");
+        try {
+            String problem = command("check", file.toString()).err();
+            assertTrue(problem.contains("; the file of this name is written ./" + file + " (see"), problem);
+        } finally {
+            Files.delete(file);
+        }
     }
 
     /** The virtual machine puts this character in the place of bytes that are not in the encoding of the locale. */
