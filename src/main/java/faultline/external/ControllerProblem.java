@@ -20,6 +20,8 @@ public enum ControllerProblem implements Message.Template {
     UNREADABLE("{0} cannot be read{1}: {2}"),
     /** A sentence with the standard error of the child. */
     LAST_LINE("{0}; its last line on standard error: {1}"),
+    /** The last line of a traceback, with a file and a line of the program. */
+    AT_LINE("{0} ({1}, line {2})"),
     /** A sentence with several lines of the standard error of the child. */
     LAST_LINES("{0}; its last line on standard error: {1}; the lines before: {2}"),
 

@@ -217,7 +217,14 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         return last == 0
                 ? ControllerProblem.LAST_LINE.with(sentence, words.get(last))
                 : ControllerProblem.LAST_LINES.with(
-                        sentence, words.get(last), String.join(" | ", words.subList(0, last)));
+                        sentence, withOwnLine(words.get(last), words), String.join(" | ", words.subList(0, last)));
+    }
+
+    /** Adds the line of the user's program to the reason of a traceback. */
+    private static Object withOwnLine(String reason, List<String> lines) {
+        return PythonTraceback.findOwnLine(lines)
+                .<Object>map(place -> ControllerProblem.AT_LINE.with(reason, place.file(), place.line()))
+                .orElse(reason);
     }
 
     /**

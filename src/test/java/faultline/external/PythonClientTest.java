@@ -112,7 +112,7 @@ class PythonClientTest {
         assertTrue(
                 e.getMessage()
                         .contains("; its last line on standard error: TypeError: decide returned None; it must return"
-                                + " faultline.velocities(...) or faultline.volts(...); the lines before: "),
+                                + " faultline.velocities(...) or faultline.volts(...) (forgets.py, line 2);"),
                 e.getMessage());
         assertFalse(e.getMessage().contains("^^"), e.getMessage());
     }
@@ -134,7 +134,9 @@ class PythonClientTest {
         SimulationSetup setup = Scenario.load(Path.of("scenarios/yard.xml")).setup();
         RunFailedException e =
                 assertThrows(RunFailedException.class, () -> run(setup, program, new CopyOnWriteArrayList<>()));
-        assertTrue(e.getMessage().contains("; its last line on standard error: " + error + ";"), e.getMessage());
+        assertTrue(
+                e.getMessage().contains("; its last line on standard error: " + error + " (mistaken.py, line 3);"),
+                e.getMessage());
         assertTrue(e.getMessage().contains("line 3, in decide"), e.getMessage());
     }
 

@@ -1,0 +1,29 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** The lines that Python writes about an exception. */
+class PythonTracebackTest {
+
+    @Test
+    void theInnermostLineOfTheUsersProgramIsFound() {
+        List<String> lines = List.of(
+                "Traceback (most recent call last):",
+                "  File \"/home/a/robot.py\", line 9, in <module>",
+                "    faultline.drive_with(decide)",
+                "  File \"/home/a/faultline.py\", line 200, in drive_with",
+                "  File \"C:\\robots\\gains.py\", line 3, in decide",
+                "  File \"/usr/lib/python3.12/random.py\", line 7, in choice",
+                "  File \"<frozen os>\", line 1, in x",
+                "NameError: gain");
+        assertEquals(Optional.of(new PythonTraceback.ProgramLine("gains.py", "3")), PythonTraceback.findOwnLine(lines));
+        assertEquals(
+                Optional.of(new PythonTraceback.ProgramLine("robot.py", "9")),
+                PythonTraceback.findOwnLine(lines.subList(0, 4)));
+        assertEquals(Optional.empty(), PythonTraceback.findOwnLine(lines.subList(6, 8)));
+    }
+}
