@@ -14,7 +14,9 @@ import faultline.engine.recording.Recorder;
 import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
+import faultline.world.Collision;
 import java.util.NavigableMap;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
@@ -35,6 +37,8 @@ public final class ReferenceRun {
     private final Recording recording;
     private final RobotPath path;
     private final RunMeasures measures;
+    /** Null if there was none. */
+    private final Collision firstCollision;
 
     private ReferenceRun(Journal journal, Simulation simulation, LongPredicate shouldContinue) {
         int size = (int) Math.min(journal.ticks() + 1, HashTraceRecorder.MAX_HASHES);
@@ -55,6 +59,7 @@ public final class ReferenceRun {
         recording = recorder.view();
         path = simulation.frame().path();
         measures = meter.measures();
+        firstCollision = simulation.collision().orElse(null);
     }
 
     /**
@@ -129,6 +134,11 @@ public final class ReferenceRun {
     /** {@return the measures of the run at its end} */
     public RunMeasures measures() {
         return measures;
+    }
+
+    /** {@return the first collision of the run, if there was one} */
+    public Optional<Collision> collision() {
+        return Optional.ofNullable(firstCollision);
     }
 
     /** {@return the hash of the trajectory after every tick up to {@link #lastTick}} */

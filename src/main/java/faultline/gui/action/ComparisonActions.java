@@ -7,6 +7,7 @@ import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.RunComparison;
+import faultline.gui.text.ContactText;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
@@ -82,7 +83,7 @@ public final class ComparisonActions {
         }
     }
 
-    private static ReferenceOverlay createOverlay(RunComparison comparison) {
+    static ReferenceOverlay createOverlay(RunComparison comparison) {
         ReferenceRun run = comparison.run();
         SimulationSetup setup = run.setup();
         Optional<String> divergence = comparison.divergence().map(event -> NumberText.format("%.2f s", event.time()));
@@ -92,6 +93,7 @@ public final class ComparisonActions {
         caption.add(divergence
                 .map(time -> Messages.get("ghost.differs", time))
                 .orElseGet(() -> Messages.get(comparison.whole() ? "ghost.sameToEnd" : "ghost.same")));
+        run.collision().map(ContactText::collision).ifPresent(caption::add);
         measuresText(run.measures()).ifPresent(caption::add);
         if (comparison.seedDiffers()) {
             caption.add(Messages.get("ghost.seed", Long.toString(setup.seed())));

@@ -203,5 +203,11 @@ final class StripPainter {
                 paintMoment(collided.time(), theme.palette().collision(), DashPattern.SOLID);
             }
         }
+        if (content.reference() != null) {
+            content.reference()
+                    .collision()
+                    .ifPresent(
+                            first -> paintMoment(first.time(), theme.palette().reference(), DashPattern.DASHED));
+        }
     }
 }

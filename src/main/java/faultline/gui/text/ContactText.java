@@ -1,5 +1,6 @@
 package faultline.gui.text;
 
+import faultline.world.Collision;
 import faultline.world.WorldSpec;
 
 /** Sentences about what the robot touches or would overlap: an obstacle, or the enclosing wall, which has no name. */
@@ -16,5 +17,15 @@ public final class ContactText {
         values[0] = id;
         System.arraycopy(others, 0, values, 1, others.length);
         return Messages.get(id.equals(WorldSpec.ENCLOSURE) ? key + ".enclosure" : key, values);
+    }
+
+    /** Returns what a robot touched first, when and where. */
+    public static String collision(Collision collision) {
+        return get(
+                "verdict.collided",
+                collision.obstacle(),
+                NumberText.format("%.3f", collision.time()),
+                NumberText.format("%.3f", collision.point().x()),
+                NumberText.format("%.3f", collision.point().y()));
     }
 }

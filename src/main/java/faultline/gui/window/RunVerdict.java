@@ -73,7 +73,7 @@ record RunVerdict(boolean success, String title, String detail, long event) {
                         unmet.stream()
                                 .map(item ->
                                         ExpectationText.format(item) + " (" + ExpectationText.value(item, frame) + ")"),
-                        collision.map(contact -> collisionText(contact) + ". " + faultText(contact)).stream())
+                        collision.map(contact -> ContactText.collision(contact) + ". " + faultText(contact)).stream())
                 .collect(Collectors.joining("; "));
         String title = unmet.isEmpty()
                 ? Messages.get(
@@ -95,7 +95,7 @@ record RunVerdict(boolean success, String title, String detail, long event) {
         boolean expected = isCollisionExpected(required);
         return new RunVerdict(
                 expected,
-                collisionText(collision),
+                ContactText.collision(collision),
                 (expected ? Messages.get("verdict.asExpected") + " " : "") + faultText(collision),
                 eventTick(collision));
     }
@@ -108,15 +108,6 @@ record RunVerdict(boolean success, String title, String detail, long event) {
     /** Returns whether a collision is no failure, neither when it happens nor at the end of the run. */
     private static boolean isCollisionExpected(List<Expectation.Condition> required) {
         return required.contains(new Expectation.Collides(true));
-    }
-
-    private static String collisionText(Collision collision) {
-        return ContactText.get(
-                "verdict.collided",
-                collision.obstacle(),
-                NumberText.format("%.3f", collision.time()),
-                NumberText.format("%.3f", collision.point().x()),
-                NumberText.format("%.3f", collision.point().y()));
     }
 
     /** Returns which faults were active at a collision, in a text that is short however many there were. */

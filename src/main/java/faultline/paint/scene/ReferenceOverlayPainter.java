@@ -15,7 +15,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Paints a reference run: its path, its robot as a dashed outline, a mark at the first difference, and a caption. */
+/**
+ * Paints a reference run: its path, its robot as a dashed outline, marks at its first collision and at the first
+ * difference, and a caption.
+ */
 public final class ReferenceOverlayPainter {
 
     /** The least distance of the label of a mark from the sides of the picture, pixels. */
@@ -24,6 +27,7 @@ public final class ReferenceOverlayPainter {
     private static final Stroke DASHED_STROKE = DrawContext.dashedStroke(1.6, 4, 3);
     private static final Stroke SOLID_STROKE = DrawContext.solidStroke(1.8);
     private static final double MARK_RADIUS = 8;
+    private static final double COLLISION_RADIUS = 11;
     private static final double MARGIN = 8;
     /** The distance from a mark up to the middle of its label, pixels. */
     private static final double LABEL_GAP = 8.5;
@@ -69,8 +73,8 @@ public final class ReferenceOverlayPainter {
     }
 
     /**
-     * Paints the marks, and the caption in a corner that hides neither robot nor the covered areas, pixels, nor the
-     * cones if there is one that is free of them.
+     * Paints the collision, the marks, and the caption in a corner that hides neither robot nor the covered areas,
+     * pixels, nor the cones if there is one that is free of them.
      */
     public static void paintAnnotations(
             DrawContext context,
@@ -78,6 +82,10 @@ public final class ReferenceOverlayPainter {
             Snapshot world,
             CornerChoice corner,
             List<Rectangle2D> covered) {
+        reference
+                .run()
+                .collision()
+                .ifPresent(collision -> paintCollision(context, context.camera().toScreen(collision.point())));
         for (ReferenceOverlay.Mark mark : reference.marks()) {
             paintMark(
                     context,
@@ -110,6 +118,15 @@ public final class ReferenceOverlayPainter {
                 new Vector2(0, robot.width() * 0.25),
                 new Vector2(robot.length() * 0.3, 0),
                 new Vector2(0, -robot.width() * 0.25)));
+    }
+
+    /** Paints a cross in a dashed ring. */
+    private static void paintCollision(DrawContext context, Vector2 at) {
+        Color colour = context.palette().reference();
+        Shape ring = Shapes.circle(at, COLLISION_RADIUS);
+        context.draw(ring, context.palette().canvas(), DrawContext.HALO_STROKE);
+        context.draw(ring, colour, DASHED_STROKE);
+        context.drawCross(Shapes.circle(at, MARK_RADIUS / 2).getBounds2D(), colour);
     }
 
     /** Paints a diamond with a line across. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SampleFrames;
 import faultline.engine.SimulationSetup;
@@ -19,6 +20,7 @@ import faultline.paint.surface.RecordingSurface;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Snapshot;
 import java.awt.Graphics2D;
@@ -82,6 +84,25 @@ class ReferenceOverlayPainterTest {
         Rectangle area = painted(camera, context -> ReferenceOverlayPainter.paintRobot(context, ghost, world));
         double turned = 30 * Math.abs(Math.cos(pose.heading())) + 24 * Math.abs(Math.sin(pose.heading()));
         assertEquals(turned, area.width, 5, "0.1 x 0.08 m at 300 pixels per metre, and the width of the line");
+    }
+
+    @Test
+    void theFirstCollisionOfAGhostIsMarkedWhereItHappened() throws ScenarioException {
+        SimulationSetup office = Scenario.loadShipped("office.xml").setup();
+        SimulationSetup straight = office.withController(new ControllerSpec.Drive(6, 6));
+        ReferenceRun run = ReferenceRun.replay(new Journal(straight, List.of(), 3000), tick -> true);
+        ReferenceOverlay ghost = new ReferenceOverlay(run, List.of("Ghost"), List.of());
+        Collision collision = run.collision().orElseThrow();
+        Camera camera = new Camera(collision.point().x(), collision.point().y(), 100, WIDTH, HEIGHT);
+        Snapshot world = officeAt(0);
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        DrawContext context = new DrawContext(graphics, camera, Palette.LIGHT);
+        context.fill(PICTURE, Palette.LIGHT.canvas());
+        ReferenceOverlayPainter.paintAnnotations(
+                context, ghost, world, ReferenceOverlayPainter.createCornerChoice(), List.of());
+        graphics.dispose();
+        assertEquals(Palette.LIGHT.reference().getRGB(), image.getRGB(WIDTH / 2, HEIGHT / 2));
     }
 
     private static Snapshot officeAt(long tick) throws ScenarioException {
