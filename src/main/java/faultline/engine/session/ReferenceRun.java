@@ -1,5 +1,6 @@
 package faultline.engine.session;
 
+import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.RobotPath;
@@ -15,6 +16,9 @@ import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.world.Collision;
+import faultline.world.CommandResult;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -40,7 +44,10 @@ public final class ReferenceRun {
     /** Null if there was none. */
     private final Collision firstCollision;
 
-    private ReferenceRun(Journal journal, Simulation simulation, LongPredicate shouldContinue) {
+    private final List<CommandResult.Refused> refusals;
+
+    private ReferenceRun(
+            Journal journal, Simulation simulation, List<CommandResult.Refused> refused, LongPredicate shouldContinue) {
         int size = (int) Math.min(journal.ticks() + 1, HashTraceRecorder.MAX_HASHES);
         setup = journal.setup();
         x = new double[size];
@@ -59,6 +66,7 @@ public final class ReferenceRun {
         recording = recorder.view();
         path = simulation.frame().path();
         measures = meter.measures();
+        refusals = List.copyOf(refused);
         firstCollision = simulation.collision().orElse(null);
     }
 
@@ -72,8 +80,14 @@ public final class ReferenceRun {
      * @throws CancellationException if the run was cancelled
      */
     public static ReferenceRun replay(Journal journal, LongPredicate shouldContinue) {
-        try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT)) {
-            return new ReferenceRun(journal, simulation, shouldContinue);
+        List<CommandResult.Refused> refused = new ArrayList<>();
+        CommandListener listener = result -> {
+            if (result instanceof CommandResult.Refused refusal) {
+                refused.add(refusal);
+            }
+        };
+        try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT, listener)) {
+            return new ReferenceRun(journal, simulation, refused, shouldContinue);
         }
     }
 
@@ -139,6 +153,11 @@ public final class ReferenceRun {
     /** {@return the first collision of the run, if there was one} */
     public Optional<Collision> collision() {
         return Optional.ofNullable(firstCollision);
+    }
+
+    /** {@return the commands that were refused, in order} */
+    public List<CommandResult.Refused> refusals() {
+        return refusals;
     }
 
     /** {@return the hash of the trajectory after every tick up to {@link #lastTick}} */

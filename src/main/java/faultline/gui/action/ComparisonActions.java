@@ -11,7 +11,9 @@ import faultline.gui.text.ContactText;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
+import faultline.gui.text.RefusalText;
 import faultline.paint.scene.ReferenceOverlay;
+import faultline.world.CommandResult;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -98,11 +100,24 @@ public final class ComparisonActions {
         if (comparison.seedDiffers()) {
             caption.add(Messages.get("ghost.seed", Long.toString(setup.seed())));
         }
+        refusalText(run).ifPresent(caption::add);
         List<ReferenceOverlay.Mark> marks = comparison.divergence().stream()
                 .map(event -> new ReferenceOverlay.Mark(
                         event.tick(), Messages.get("ghost.mark", NumberText.format("%.2f s", event.time()))))
                 .toList();
         return new ReferenceOverlay(run, caption, marks);
+    }
+
+    /** Describes the first refused command of a run, with the number of further ones; empty if there was none. */
+    private static Optional<String> refusalText(ReferenceRun run) {
+        List<CommandResult.Refused> refusals = run.refusals();
+        return refusals.stream()
+                .findFirst()
+                .map(first -> Messages.get(
+                        refusals.size() == 1 ? "ghost.refused" : "ghost.refusedMore",
+                        NumberText.format("%.2f s", run.setup().timeOf(first.tick())),
+                        RefusalText.format(first.reason()),
+                        Integer.toString(refusals.size() - 1)));
     }
 
     /** Describes the measures of a run at its end; empty if it has followed no wall. */
