@@ -6,8 +6,10 @@ import faultline.gui.change.Rename;
 import faultline.gui.change.TimelineEvents;
 import faultline.world.Command;
 import faultline.world.CommandResult;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -173,17 +175,19 @@ final class CommandEdit implements Edit {
     List<LaterChange> undoChanges(
             List<CommandResult> executed, List<CommandResult> firsts, LongFunction<List<Command>> plannedSince) {
         Map<EditPart, CommandResult> firstParts = parts(firsts);
-        List<LaterChange> changes = new ArrayList<>();
-        int end = 0;
+        // One block for each part or for parts that were removed one after another, the last block first.
+        Deque<List<LaterChange>> blocks = new ArrayDeque<>();
+        boolean afterRemoval = false;
         for (Map.Entry<EditPart, CommandResult> entry : parts(executed).entrySet()) {
             CommandResult result = entry.getValue();
             boolean removal = EditTarget.of(result.command()).kind().equals(EditTarget.REMOVAL);
-            int from = removal ? end : 0;
-            List<LaterChange> undone = undo(result, firstParts.getOrDefault(entry.getKey(), result), plannedSince);
-            changes.addAll(from, undone);
-            end = removal ? from + undone.size() : 0;
+            if (!removal || !afterRemoval) {
+                blocks.addFirst(new ArrayList<>());
+            }
+            blocks.getFirst().addAll(undo(result, firstParts.getOrDefault(entry.getKey(), result), plannedSince));
+            afterRemoval = removal;
         }
-        return changes;
+        return blocks.stream().flatMap(List::stream).toList();
     }
 
     private static List<LaterChange> undo(
