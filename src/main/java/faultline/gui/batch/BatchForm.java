@@ -49,6 +49,9 @@ final class BatchForm extends JPanel {
     private static final double EARLIEST_SHARE = 0.1;
     private static final double LATEST_SHARE = 0.5;
 
+    /** The duration, seconds, below which the first suggestion for the start of faults has fractions of a second. */
+    private static final double SHORT_SECONDS = 2;
+
     private final Scenario scenario;
     private final NumberSpinner seeds = number("0", 1, 1_000_000, 1, "batch.seeds");
     private final NumberSpinner firstSeed =
@@ -186,12 +189,14 @@ final class BatchForm extends JPanel {
         double seconds = scenario.setup().duration();
         seeds.setWorldValue(10);
         long seed = scenario.setup().seed();
-        firstSeed.setWorldValue(Math.abs(seed) <= CampaignPlan.MAX_SEED ? seed : 1);
+        firstSeed.setWorldValue(seed >= -CampaignPlan.MAX_SEED && seed <= CampaignPlan.MAX_SEED ? seed : 1);
         duration.setWorldValue(seconds);
         jobs.setWorldValue(Runtime.getRuntime().availableProcessors());
-        double earliest = Math.rint(EARLIEST_SHARE * seconds);
-        double latest = Math.max(earliest + 1, Math.rint(LATEST_SHARE * seconds));
-        onset.setText(DecimalText.format(earliest) + ".." + DecimalText.format(latest));
+        // Whole seconds, or whole milliseconds.
+        double scale = seconds < SHORT_SECONDS ? 1000 : 1;
+        double earliest = Math.rint(EARLIEST_SHARE * seconds * scale);
+        double latest = Math.max(earliest + 1, Math.rint(LATEST_SHARE * seconds * scale));
+        onset.setText(DecimalText.format(earliest / scale) + ".." + DecimalText.format(latest / scale));
     }
 
     private BatchControllerItem[] items(ControllerChoice chosen) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.campaign.plan.CampaignPlan;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.external.ControllerChoice;
@@ -87,6 +88,26 @@ class BatchFormTest {
         assertEquals(Optional.empty(), callOnEdt(form::findProblem));
         long expected = 10L * (plan.sensors().size() + 1);
         assertTrue(labels().contains("|Runs: " + expected), labels());
+    }
+
+    @Test
+    void theFirstPlanOfAShortRunHasFaultsBeforeItsEnd() {
+        Scenario shortRun = scenario.withSetup(scenario.setup().withDuration(0.5));
+        form = callOnEdt(() -> new BatchForm(shortRun));
+        assertEquals("0.05..0.25", plan().onset());
+        assertFalse(labels().contains("|Faults may start after the end"), labels());
+    }
+
+    @Test
+    void aSeedThatNoPlanHasIsNotSuggested() {
+        for (long seed : new long[] {Long.MIN_VALUE, Long.MAX_VALUE, -CampaignPlan.MAX_SEED - 1}) {
+            Scenario seeded = scenario.withSetup(scenario.setup().withSeed(seed));
+            form = callOnEdt(() -> new BatchForm(seeded));
+            assertEquals(1, plan().firstSeed());
+        }
+        Scenario least = scenario.withSetup(scenario.setup().withSeed(-CampaignPlan.MAX_SEED));
+        form = callOnEdt(() -> new BatchForm(least));
+        assertEquals(-CampaignPlan.MAX_SEED, plan().firstSeed());
     }
 
     @Test
