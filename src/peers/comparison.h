@@ -76,7 +76,7 @@ class Peer {
 public:
     virtual ~Peer() = default;
     virtual void tick() = 0;
-    // Puts the robot somewhere, where it stands, and makes a tick.
+    // Puts the robot somewhere and makes a tick there, after one in which it stops.
     virtual void stand(const Pose &pose) = 0;
     // What each ray of each sensor hits, from right to left: the distance, or the range if it hits nothing.
     virtual std::vector<double> rays() const = 0;

@@ -33,7 +33,10 @@ public final class AnimatedGifWriter implements AutoCloseable {
     private ColourQuantizer quantizer;
     private BufferedImage previousFrame;
 
-    /** Creates a writer for a stream, which is not closed; the colours of the palette are exact. */
+    /**
+     * Creates a writer for a stream, which is not closed; the colours of the palette are exact, except those of the
+     * eleventh and further sensors.
+     */
     public AnimatedGifWriter(OutputStream out, Palette palette) throws IOException {
         this.palette = palette;
         stream = new MemoryCacheImageOutputStream(out);

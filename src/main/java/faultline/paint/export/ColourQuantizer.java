@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 final class ColourQuantizer {
 
     private static final int MAX_COLOURS = 256;
-    /** The sensors whose colours are always there; those of more sensors are among the frequent ones. */
+    /** The sensors whose colours are always there; those of more sensors may be among the frequent ones. */
     private static final int USUAL_SENSORS = 10;
 
     private static final int CELL_COUNT = 1 << 15;
