@@ -21,6 +21,7 @@ import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.beans.PropertyChangeListener;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -132,6 +133,7 @@ class BatchEndRobotTest {
         }
     }
 
+    /** The folder may be deleted at the same time. */
     private boolean isOwn(Path batch) {
         try (Stream<Path> files = Files.walk(batch, 1)) {
             return files.filter(file -> file.toString().endsWith(".xml")).anyMatch(file -> {
@@ -141,7 +143,7 @@ class BatchEndRobotTest {
                     return false;
                 }
             });
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             return false;
         }
     }
