@@ -21,7 +21,10 @@ import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
-/** The results of a batch as far as they have come, in the forms that its views show. Event dispatch thread only. */
+/**
+ * The results of a batch as far as they have come, in the forms that its views show. Event dispatch thread only, once
+ * it is shown.
+ */
 final class BatchResults {
 
     private static final List<String> CELL_COLUMNS =

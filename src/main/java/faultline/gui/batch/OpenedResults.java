@@ -25,10 +25,13 @@ import java.util.Set;
  *
  * @param folder the folder
  * @param table the plan and the runs
+ * @param results the results for the views
  * @param cells the cells, in the order in which they are shown
+ * @param broken how many runs are broken
  * @param repeats how many runs repeat another one with another seed
  */
-record OpenedResults(Path folder, CampaignTable table, List<CampaignCell> cells, long repeats) {
+record OpenedResults(
+        Path folder, CampaignTable table, BatchResults results, List<CampaignCell> cells, long broken, long repeats) {
 
     /** The files of a campaign that stand for its folder. */
     private static final Set<String> FILES = Set.of("runs.csv", "campaign.json", "timing.csv");
@@ -69,18 +72,22 @@ record OpenedResults(Path folder, CampaignTable table, List<CampaignCell> cells,
             throw new NoSuchFileException(runs.toString());
         }
         CampaignTable table = CampaignTable.read(folder);
+        BatchResults results = new BatchResults(table.plan());
+        table.lines().stream().skip(1).forEach(results::add);
         return new OpenedResults(
                 folder,
                 table,
+                results,
                 BatchResults.cellsOf(table.plan(), table.lines()),
+                brokenCount(table.lines()),
                 CampaignCell.repeatCount(table.plan(), table.lines()));
     }
 
-    /** Returns the results for the views. Event dispatch thread only. */
-    BatchResults toResults() {
-        BatchResults results = new BatchResults(table.plan());
-        table.lines().stream().skip(1).forEach(results::add);
-        return results;
+    private static long brokenCount(List<List<String>> lines) {
+        int outcome = lines.get(0).indexOf("outcome");
+        return lines.stream()
+                .filter(line -> line.get(outcome).equals(Outcome.BROKEN))
+                .count();
     }
 
     /** Returns the name of the campaign, or that of the folder if it has none. */
@@ -91,13 +98,8 @@ record OpenedResults(Path folder, CampaignTable table, List<CampaignCell> cells,
 
     /** Returns how many runs there are, and what else there is to know. */
     String status() {
-        List<List<String>> lines = table.lines();
-        int outcome = lines.get(0).indexOf("outcome");
-        long broken = lines.stream()
-                .filter(line -> line.get(outcome).equals(Outcome.BROKEN))
-                .count();
-        String text =
-                BatchProgressPanel.openedText(lines.size() - 1, table.plan().runCount(), broken, repeats);
+        String text = BatchProgressPanel.openedText(
+                table.lines().size() - 1, table.plan().runCount(), broken, repeats);
         return table.ofThisProgram() ? text : Messages.get("batch.opened.other", text);
     }
 

@@ -20,7 +20,7 @@ final class ResultsDialog extends RunsDialog {
         super(owner, actions);
         this.opened = opened;
         RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.opened.title", opened.name())));
-        showResults(opened.toResults(), new ControllerChoice("", jars));
+        showResults(opened.results(), new ControllerChoice("", jars));
         resultTabsOrNull().update(opened.cells());
         progress().hideBar();
         progress().showStatus(opened::status);

@@ -83,7 +83,7 @@ class OpenedResultsTest {
         OpenedResults opened = OpenedResults.read(saved);
         BatchResults before = new BatchResults(run.planOrNull());
         rowsOfBatch().forEach(before::add);
-        assertEquals(columnsAndRows(before), columnsAndRows(opened.toResults()));
+        assertEquals(columnsAndRows(before), columnsAndRows(opened.results()));
         assertEquals(run.cells(), opened.cells());
         assertEquals(run.repeatCount(), opened.repeats());
         assertEquals("Batch of Yard", opened.name());
@@ -107,7 +107,7 @@ class OpenedResultsTest {
                 .run(false, (made, runs) -> {}, () -> false);
         OpenedResults opened = OpenedResults.read(part);
         assertEquals("Runs: 3 of 6, failed: 0", opened.status());
-        BatchResults results = opened.toResults();
+        BatchResults results = opened.results();
         assertEquals(3, results.run(0));
         assertEquals(3, results.numbers("simulated_s", results.runs()).length);
         assertEquals(1, results.numbers("simulated_s", List.of(5L)).length);
