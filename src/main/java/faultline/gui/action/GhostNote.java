@@ -5,6 +5,8 @@ import faultline.gui.document.ComparisonController.PendingReference;
 import faultline.gui.text.Messages;
 import faultline.io.MessageText;
 import java.util.function.LongSupplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Keeps a note about the progress of a reference run that takes longer than half a second. */
 final class GhostNote {
@@ -12,6 +14,9 @@ final class GhostNote {
     private static final long NANOS_BEFORE_NOTE = 500_000_000;
     private static final int PERCENT = 100;
     private static final int MAX_NAME_LENGTH = 14;
+
+    private static final Pattern FILE_NAME = Pattern.compile("[^\\s\"/\\\\]+\\.\\p{Alpha}\\w*");
+    private static final Pattern FOLDER = Pattern.compile("^\\S*[/\\\\]");
 
     private final ComparisonController controller;
     private final Notes notes;
@@ -52,8 +57,19 @@ final class GhostNote {
         return Messages.get("ghost.progress", Integer.toString(percent), shortName(pending.name()));
     }
 
-    /** Returns the start of a long name or command, which leaves room for the state of the run. */
+    /**
+     * Returns a name or command that leaves room for the state of the run. Of a long command, it is the first name of a
+     * file, such as that of a Python program, or the command without its folder.
+     */
     static String shortName(String name) {
+        if (name.length() <= MAX_NAME_LENGTH) {
+            return name;
+        }
+        Matcher file = FILE_NAME.matcher(name);
+        return start(file.find() ? file.group() : FOLDER.matcher(name).replaceFirst(""));
+    }
+
+    private static String start(String name) {
         return name.length() <= MAX_NAME_LENGTH ? name : MessageText.start(name, MAX_NAME_LENGTH - 1) + "…";
     }
 }

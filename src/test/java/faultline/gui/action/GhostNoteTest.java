@@ -75,9 +75,18 @@ class GhostNoteTest {
     }
 
     @Test
-    void aLongNameOrCommandIsCut() {
+    void ofALongCommandTheNameOfItsProgramIsShown() {
+        assertEquals("good.py", GhostNote.shortName("python3 good.py"));
+        assertEquals("my_follower.py", GhostNote.shortName("python3 my_follower.py"));
+        assertEquals("good.py", GhostNote.shortName("/usr/bin/python3.11 \"/home/me/my robot/good.py\" --gain 0.5"));
+        assertEquals("good.py", GhostNote.shortName("python \"C:\\Users\\me\\good.py\""));
+        assertEquals("follower -v", GhostNote.shortName("/home/me/robot/follower -v"));
+    }
+
+    @Test
+    void aLongNameIsCut() {
         assertEquals("python3 run.py", GhostNote.shortName("python3 run.py"));
-        assertEquals("python3 my_fo…", GhostNote.shortName("python3 my_follower.py"));
         assertEquals("A scenario wi…", GhostNote.shortName("A scenario with a long name"));
+        assertEquals("my_right_foll…", GhostNote.shortName("python3 my_right_follower.py"));
     }
 }
