@@ -20,6 +20,7 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
     /** A choice without lines. */
     static final SignalGroup NONE = new SignalGroup("", "", "", List.of());
 
+    private static final String DISTANCE_ID = "distance";
     private static final String SENSOR_ID = "sensor ";
     private static final double DEGREES_PER_RADIAN = 180 / Math.PI;
 
@@ -49,6 +50,11 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                         other.unit().equals(shown.unit()) && !other.id().equals(shown.id()))
                 .flatMap(other -> other.lines().stream().map(line -> line.withName(other.name() + ", " + line.name())))
                 .toList();
+    }
+
+    /** Returns whether this is the distance that the controller reports. */
+    boolean isDistance() {
+        return id.equals(DISTANCE_ID);
     }
 
     /** Returns whether a robot with the given sensors has a value for any line. */
@@ -92,7 +98,7 @@ record SignalGroup(String id, String name, String unit, List<ChartLine> lines) {
                 TraceChannels.WANTED_DISTANCE,
                 theme -> theme.palette().text(),
                 DashPattern.DASHED);
-        return new SignalGroup("distance", Messages.get("signal.distance"), "m", List.of(target, measured));
+        return new SignalGroup(DISTANCE_ID, Messages.get("signal.distance"), "m", List.of(target, measured));
     }
 
     private static SignalGroup pair(String key, String unit, int first, int second) {

@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.PathTag;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
@@ -87,11 +88,18 @@ final class StripPainter {
         scale.signal().lines().forEach(lines::paint);
         paintEvents();
         if (scale.isEmpty() && content.reference() == null) {
-            surface.drawText(
-                    Messages.get("strip.none"),
-                    area.pointAt(0.5, 0.5).minus(new Vector2(0, 4)),
-                    mutedStyle.withAnchor(Anchor.MIDDLE));
+            paintReason();
         }
+    }
+
+    /** Paints why there is no data, if there is room for it. */
+    private void paintReason() {
+        boolean foreign = content.frame().controller() instanceof ControllerSpec.Foreign;
+        String reason = Messages.get(foreign && content.signal().isDistance() ? "strip.noDistance" : "strip.none");
+        surface.drawText(
+                textStyle.estimateWidth(reason) < area.width() ? reason : Messages.get("strip.none"),
+                area.pointAt(0.5, 0.5).minus(new Vector2(0, 4)),
+                mutedStyle.withAnchor(Anchor.MIDDLE));
     }
 
     /** Paints a section of the ribbon, with the name of the state if there is room for it. */

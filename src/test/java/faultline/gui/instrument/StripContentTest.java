@@ -7,8 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Controller;
+import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
 import faultline.engine.Journal;
@@ -216,6 +220,36 @@ class StripContentTest {
                     .orElseThrow();
             assertTrue(contrast >= 1.12, start + " at " + value + ": " + contrast);
         }
+    }
+
+    @Test
+    void theDistanceOfAControllerFromOutsideRefersToTheSensors() {
+        ControllerSource silent = new ControllerSource() {
+            @Override
+            public Controller start(RunConditions run) {
+                return observation -> new Decision(1, 1, Telemetry.ofState(FollowerState.SEARCH));
+            }
+
+            @Override
+            public boolean limitsAnswerTime() {
+                return true;
+            }
+        };
+        SessionFrame frame = SampleRuns.frame(
+                SampleRuns.ROOM_SETUP.withController(
+                        new ControllerSpec.Chosen(SampleRuns.ROOM_SETUP.controller(), silent)),
+                10);
+        List<String> shown = GROUPS.stream()
+                .limit(2)
+                .map(signal ->
+                        new StripContent(frame, signal, SPAN, ValueRange.FROM_ZERO, List.of(), null).toSvg(Theme.LIGHT))
+                .toList();
+        assertTrue(shown.get(0).contains("The controller reports no distance; choose a sensor"));
+        assertFalse(shown.get(0).contains("No data"));
+        assertTrue(shown.get(1).contains("No data"), "the other signals");
+        assertTrue(content(new TimeSpan(1000, 10), List.of(), null)
+                .toSvg(Theme.LIGHT)
+                .contains("No data"));
     }
 
     @Test
