@@ -44,6 +44,9 @@ final class StripPainter {
     /** The opacity of all shades together. */
     private static final int MAX_ALPHA = 90;
 
+    /** The distance between two lines of the text in an empty plot, pixels. */
+    private static final int REASON_LINE_HEIGHT = 15;
+
     private static final int GRID_ALPHA = 75;
 
     private final Surface surface;
@@ -95,11 +98,17 @@ final class StripPainter {
     /** Paints why there is no data, if there is room for it. */
     private void paintReason() {
         boolean foreign = content.frame().controller() instanceof ControllerSpec.Foreign;
-        String reason = Messages.get(foreign && content.signal().isDistance() ? "strip.noDistance" : "strip.none");
-        surface.drawText(
-                textStyle.estimateWidth(reason) < area.width() ? reason : Messages.get("strip.none"),
-                area.pointAt(0.5, 0.5).minus(new Vector2(0, 4)),
-                mutedStyle.withAnchor(Anchor.MIDDLE));
+        List<String> reason = Messages.get(foreign && content.signal().isDistance() ? "strip.noDistance" : "strip.none")
+                .lines()
+                .toList();
+        boolean fits = reason.stream().allMatch(line -> textStyle.estimateWidth(line) < area.width());
+        List<String> lines = fits ? reason : List.of(Messages.get("strip.none"));
+        for (int i = 0; i < lines.size(); i++) {
+            surface.drawText(
+                    lines.get(i),
+                    area.pointAt(0.5, 0.5).plus(new Vector2(0, i * REASON_LINE_HEIGHT - 4)),
+                    mutedStyle.withAnchor(Anchor.MIDDLE));
+        }
     }
 
     /** Paints a section of the ribbon, with the name of the state if there is room for it. */

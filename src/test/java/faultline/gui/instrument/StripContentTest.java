@@ -244,7 +244,8 @@ class StripContentTest {
                 .map(signal ->
                         new StripContent(frame, signal, SPAN, ValueRange.FROM_ZERO, List.of(), null).toSvg(Theme.LIGHT))
                 .toList();
-        assertTrue(shown.get(0).contains("The controller reports no distance; choose a sensor"));
+        assertTrue(shown.get(0).contains("The controller reports no distance;"));
+        assertTrue(shown.get(0).contains("choose a sensor in the list of signals"));
         assertFalse(shown.get(0).contains("No data"));
         assertTrue(shown.get(1).contains("No data"), "the other signals");
         assertTrue(content(new TimeSpan(1000, 10), List.of(), null)
