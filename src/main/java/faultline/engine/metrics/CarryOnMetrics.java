@@ -55,17 +55,24 @@ public final class CarryOnMetrics implements TickObserver {
     /** The greatest distance between two such points, metres; between points farther apart a place could be missed. */
     private static final double MAX_STEP = 0.05;
 
+    /** The distance that the robot must drive before a pass of the same place counts again, metres. */
+    private static final double MIN_LAP = 1.0;
+
     private final WallCircuit circuit;
     private final double speed;
     private final double onset;
     /** Whether the clock starts only in a state of the built-in wall follower. */
     private final boolean needsFollowerState;
 
-    /** Null until the clock starts. */
-    private PassedWalls walls;
-
+    private final int[] passes;
+    private final double[] lastPass;
+    private int path = -1;
     private double start = Double.NaN;
     private double deadline;
+    private double travelled;
+    private double passedLength;
+    private double weightedPasses;
+    private double wallLength;
     private Vector2 last = Vector2.ZERO;
     private boolean collided;
     private boolean passedInTime;
@@ -101,6 +108,8 @@ public final class CarryOnMetrics implements TickObserver {
         this.speed = speed;
         this.onset = onset;
         this.needsFollowerState = needsFollowerState;
+        this.passes = new int[circuit.size()];
+        this.lastPass = new double[circuit.size()];
         this.deadline = onset + allowedTime(circuit.maxLength());
     }
 
@@ -126,34 +135,13 @@ public final class CarryOnMetrics implements TickObserver {
     public static WallCircuit circuit(SimulationSetup setup) {
         SimulationSetup firstTick = FirstTick.setup(setup);
         OptionalDouble distance = wantedDistance(firstTick);
-        return distance.isPresent()
-                ? circuit(firstTick.world(), distance.getAsDouble(), firstTick.robot())
-                : WallCircuit.empty();
+        return distance.isPresent() ? circuit(firstTick.world(), distance.getAsDouble()) : WallCircuit.empty();
     }
 
-    /** Returns the {@link #circuit} of a world at a distance of the centre of a robot from the walls, metres. */
-    static WallCircuit circuit(WorldSpec world, double distance, RobotSpec robot) {
-        WallReference walls = new WallReference(world);
-        WallCircuit circuit = circuit(walls, distance, PASSING_DISTANCE);
-        double least = leastDistance(robot);
-        if (least >= distance) {
-            return circuit;
-        }
-        try {
-            return circuit.withBodyPaths(circuit(walls, least, distance - least + JOIN_DISTANCE));
-        } catch (WallReference.PathTooLongException e) {
-            return circuit;
-        }
-    }
-
-    private static WallCircuit circuit(WallReference walls, double distance, double tolerance) {
-        List<WallReference.WallSample> places = walls.samplesAlongPath(distance, PLACE_SPACING);
-        return new WallCircuit(places, PLACE_SPACING, JOIN_DISTANCE, tolerance);
-    }
-
-    /** Returns the distance from the walls on both sides of a robot's centre in a passage that just fits it, metres. */
-    static double leastDistance(RobotSpec robot) {
-        return robot.width() / 2;
+    /** Returns the {@link #circuit} of a world at a distance of the robot's centre from the walls, metres. */
+    static WallCircuit circuit(WorldSpec world, double distance) {
+        List<WallReference.WallSample> places = new WallReference(world).samplesAlongPath(distance, PLACE_SPACING);
+        return new WallCircuit(places, PLACE_SPACING, JOIN_DISTANCE, PASSING_DISTANCE);
     }
 
     /**
@@ -243,7 +231,7 @@ public final class CarryOnMetrics implements TickObserver {
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        if (walls != null) {
+        if (path >= 0) {
             if (centre.distanceTo(last) >= MIN_STEP) {
                 new Segment(last, centre).forEachPoint(MAX_STEP, this::visit);
             }
@@ -253,17 +241,33 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     private void startClock(Vector2 centre) {
-        walls = new PassedWalls(circuit, circuit.path(circuit.nearestPlace(centre)));
+        path = circuit.path(circuit.nearestPlace(centre));
         start = time;
-        deadline = time + allowedTime(walls.maxLength());
+        deadline = time + allowedTime(circuit.length(path));
+        for (int i = 0; i < passes.length; i++) {
+            wallLength += circuit.path(i) == path ? circuit.wallLength(i) : 0;
+        }
         last = centre;
         visit(centre);
     }
 
     private void visit(Vector2 centre) {
-        walls.visit(centre, centre.distanceTo(last));
+        travelled += centre.distanceTo(last);
         last = centre;
+        circuit.forEachPassed(centre, this::pass);
         passedInTime |= time <= deadline && share().orElse(0) >= REQUIRED_SHARE;
+    }
+
+    private void pass(int place) {
+        if (circuit.path(place) != path) {
+            return;
+        }
+        if (passes[place] == 0 || travelled - lastPass[place] > MIN_LAP) {
+            passedLength += passes[place] == 0 ? circuit.wallLength(place) : 0;
+            weightedPasses += circuit.wallLength(place);
+            passes[place]++;
+        }
+        lastPass[place] = travelled;
     }
 
     /** {@return whether more of the run cannot change the verdict: there was a contact, or the time is up} */
@@ -276,18 +280,14 @@ public final class CarryOnMetrics implements TickObserver {
         return passedInTime && !collided;
     }
 
-    /**
-     * {@return the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start} If
-     * the robot's body can pass where there is no path at the wanted distance, other walls count as well, see
-     * {@link PassedWalls}.
-     */
+    /** {@return the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start} */
     public OptionalDouble share() {
-        return walls == null ? OptionalDouble.empty() : walls.share();
+        return wallLength > 0 ? OptionalDouble.of(Math.min(1, passedLength / wallLength)) : OptionalDouble.empty();
     }
 
-    /** {@return the number of times that this wall was passed since the clock started, on average over its length} */
+    /** {@return the number of times that the wall was passed since the clock started, on average over its length} */
     public OptionalDouble laps() {
-        return walls == null ? OptionalDouble.empty() : walls.laps();
+        return wallLength > 0 ? OptionalDouble.of(weightedPasses / wallLength) : OptionalDouble.empty();
     }
 
     /** {@return when the clock started, seconds; empty if it did not} */

@@ -18,7 +18,7 @@ public final class WallCircuits {
     public WallCircuits() {}
 
     /** The distance is not a number for robots that follow no wall. */
-    private record CircuitKey(WorldSpec world, double distance, double leastDistance) {}
+    private record CircuitKey(WorldSpec world, double distance) {}
 
     /**
      * {@return {@link CarryOnMetrics#circuit}, perhaps found by an earlier call}
@@ -29,9 +29,7 @@ public final class WallCircuits {
     public WallCircuit forCarryOn(SimulationSetup setup) {
         SimulationSetup firstTick = FirstTick.setup(setup);
         CircuitKey key = new CircuitKey(
-                firstTick.world(),
-                CarryOnMetrics.wantedDistance(firstTick).orElse(Double.NaN),
-                CarryOnMetrics.leastDistance(firstTick.robot()));
+                firstTick.world(), CarryOnMetrics.wantedDistance(firstTick).orElse(Double.NaN));
         synchronized (kept) {
             WallCircuit known = kept.get(key);
             if (known != null) {

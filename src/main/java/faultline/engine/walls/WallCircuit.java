@@ -2,9 +2,7 @@ package faultline.engine.walls;
 
 import faultline.geometry.Vector2;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.IntConsumer;
 import java.util.stream.DoubleStream;
 
@@ -16,11 +14,8 @@ public final class WallCircuit {
 
     private final List<WallReference.WallSample> places;
     private final double tolerance;
-    private final double spacing;
     private final int[] paths;
-    private final int[] bodyPaths;
     private final double[] lengths;
-    private final double[] bodyLengths;
     private final double maxLength;
     /** The coordinates of the places, which are compared most. */
     private final double[] xs;
@@ -28,7 +23,7 @@ public final class WallCircuit {
     private final double[] ys;
 
     /** The last place of each cell, and for each place the one before it in its cell. */
-    private final CellNumbers lastInCell;
+    private final CellNumbers lastInCell = new CellNumbers();
 
     private final int[] before;
 
@@ -47,7 +42,6 @@ public final class WallCircuit {
      */
     public WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
         this.places = new ArrayList<>(places);
-        this.spacing = spacing;
         this.tolerance = tolerance;
         int count = places.size();
         paths = new int[count];
@@ -55,71 +49,42 @@ public final class WallCircuit {
         xs = places.stream().mapToDouble(place -> place.position().x()).toArray();
         ys = places.stream().mapToDouble(place -> place.position().y()).toArray();
         before = new int[count];
-        lastInCell = new CellNumbers();
         PointRuns runs = new PointRuns(joinDistance);
-        DisjointSets joined = new DisjointSets(count);
         for (int i = 0; i < count; i++) {
-            joinWithEarlier(i, runs, joined);
+            paths[i] = i;
+            joinWithEarlier(i, runs);
             addToCell(i);
         }
         for (int i = 0; i < count; i++) {
-            paths[i] = joined.least(i);
+            paths[i] = root(i);
             lengths[paths[i]] += spacing;
         }
         maxLength = DoubleStream.of(lengths).max().orElse(0);
-        bodyPaths = paths;
-        bodyLengths = lengths;
     }
 
-    /**
-     * Adds to a circuit the paths that the robot's body can drive through narrow passages.
-     *
-     * @param circuit the circuit at the wanted distance
-     * @param body the circuit at the least distance of the robot's centre; its tolerance must be greater than the
-     *     difference of the distances
-     */
-    private WallCircuit(WallCircuit circuit, WallCircuit body) {
-        places = circuit.places;
-        spacing = circuit.spacing;
-        tolerance = circuit.tolerance;
-        paths = circuit.paths;
-        lengths = circuit.lengths;
-        maxLength = circuit.maxLength;
-        xs = circuit.xs;
-        ys = circuit.ys;
-        before = circuit.before;
-        lastInCell = circuit.lastInCell;
-        bodyPaths = new int[places.size()];
-        bodyLengths = new double[places.size()];
-        Map<Integer, Integer> firstPlaces = new HashMap<>();
-        for (int i = 0; i < bodyPaths.length; i++) {
-            int nearest = body.nearestPassed(places.get(i).position());
-            // The nearer path has a place at the same piece of wall.
-            Integer first = nearest < 0 ? null : firstPlaces.putIfAbsent(body.paths[nearest], i);
-            bodyPaths[i] = first == null ? i : first;
-            bodyLengths[bodyPaths[i]] += spacing;
-        }
-    }
-
-    /**
-     * {@return this circuit with the {@linkplain #bodyPath paths} that the robot's body can drive}
-     *
-     * @param body the circuit at the least distance of the robot's centre from a wall; its tolerance must be greater
-     *     than the difference of the distances
-     */
-    public WallCircuit withBodyPaths(WallCircuit body) {
-        return new WallCircuit(this, body);
-    }
-
-    /** Joins a place with the earlier ones that are near. */
-    private void joinWithEarlier(int i, PointRuns runs, DisjointSets joined) {
+    private void joinWithEarlier(int i, PointRuns runs) {
         Vector2 position = places.get(i).position();
         int own = runs.add(position);
         if (runs.isTwin(i, own)) {
-            joined.join(i, own);
+            join(i, own);
         } else {
-            runs.forEachNear(position, run -> joined.join(i, run));
+            runs.forEachNear(position, run -> join(i, run));
         }
+    }
+
+    private void join(int one, int other) {
+        int a = root(one);
+        int b = root(other);
+        paths[Math.max(a, b)] = Math.min(a, b);
+    }
+
+    private int root(int i) {
+        int at = i;
+        while (paths[at] != at) {
+            paths[at] = paths[paths[at]];
+            at = paths[at];
+        }
+        return at;
     }
 
     private void addToCell(int i) {
@@ -170,26 +135,6 @@ public final class WallCircuit {
         });
     }
 
-    /** Returns the nearest of the places that a robot passes at a point, the first of equals; -1 if there is none. */
-    private int nearestPassed(Vector2 point) {
-        NearestPlace nearest = new NearestPlace();
-        forEachPassed(point, place -> nearest.add(place, distance(place, point.x(), point.y())));
-        return nearest.place;
-    }
-
-    /** The nearest of some places. */
-    private static final class NearestPlace {
-        private int place = -1;
-        private double distance = Double.POSITIVE_INFINITY;
-
-        void add(int other, double toOther) {
-            if (toOther < distance || toOther == distance && other < place) {
-                place = other;
-                distance = toOther;
-            }
-        }
-    }
-
     /** {@return how many places there are on all paths together} */
     public int size() {
         return places.size();
@@ -202,17 +147,6 @@ public final class WallCircuit {
      */
     public int path(int place) {
         return paths[place];
-    }
-
-    /**
-     * {@return the path that a place is on if the robot passes all passages in which its body has room, identified by
-     * the first place} The walls on both sides of a passage are then on different paths if nothing else joins them, and
-     * a wall on both sides of a door is on one.
-     *
-     * @param place the index of the place
-     */
-    public int bodyPath(int place) {
-        return bodyPaths[place];
     }
 
     /**
@@ -231,20 +165,6 @@ public final class WallCircuit {
      */
     public double length(int path) {
         return lengths[path];
-    }
-
-    /**
-     * {@return the approximate length of a path of the body at the wanted distance, metres}
-     *
-     * @param bodyPath the index of its first place
-     */
-    public double bodyLength(int bodyPath) {
-        return bodyLengths[bodyPath];
-    }
-
-    /** {@return the spacing of the places, metres} */
-    public double spacing() {
-        return spacing;
     }
 
     /** {@return the length of the longest path, metres; 0 if there is none} */

@@ -3,13 +3,9 @@ package faultline.engine.walls;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.CpuTime;
-import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
-import faultline.world.Obstacle;
-import faultline.world.ObstacleShape;
-import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -73,33 +69,6 @@ class WallCircuitTest {
                 .toList();
         assertEquals(200_000 * SPACING, new WallCircuit(places, SPACING, JOIN, TOLERANCE).maxLength(), 1e-6);
         time.assertBelow(5);
-    }
-
-    /** Two walls are 0.5 m apart: the path at 0.3 m is one around both, and the paths at 0.1 m are one around each. */
-    @Test
-    void aPathOfTheBodyLeadsAroundEachWall() {
-        WallReference walls = new WallReference(new WorldSpec(
-                6,
-                4,
-                false,
-                3,
-                List.of(
-                        new Obstacle("low", new ObstacleShape.RectangleShape(1, 0.2), new Pose(3, 1, 0)),
-                        new Obstacle("high", new ObstacleShape.RectangleShape(1, 0.2), new Pose(3, 1.7, 0)))));
-        WallCircuit body = new WallCircuit(walls.samplesAlongPath(0.1, SPACING), SPACING, JOIN, 0.25);
-        List<WallReference.WallSample> places = walls.samplesAlongPath(0.3, SPACING);
-        WallCircuit circuit = new WallCircuit(places, SPACING, JOIN, TOLERANCE).withBodyPaths(body);
-        assertEquals(places.size() * SPACING, circuit.length(0), 1e-9);
-        int high = IntStream.range(0, places.size())
-                .filter(i -> places.get(i).position().y() > 1.35)
-                .findFirst()
-                .orElseThrow();
-        for (int i = 0; i < places.size(); i++) {
-            assertEquals(0, circuit.path(i));
-            assertEquals(places.get(i).position().y() > 1.35 ? high : 0, circuit.bodyPath(i), "place " + i);
-        }
-        assertEquals(circuit.length(0), circuit.bodyLength(0) + circuit.bodyLength(high), 1e-9);
-        assertEquals(SPACING, circuit.spacing());
     }
 
     private static void assertAgrees(List<WallReference.WallSample> places, Random random) {
