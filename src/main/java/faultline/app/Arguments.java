@@ -81,10 +81,14 @@ final class Arguments {
     }
 
     /** Returns how a file whose name begins like an option is written; empty if there is no such file. */
-    private static String fileHint(String argument) throws UsageException {
-        return Files.exists(parsePath(argument))
-                ? "; the file of this name is written " + MessageText.excerpt("./" + argument)
-                : "";
+    private static String fileHint(String argument) {
+        try {
+            return Files.exists(Path.of(argument))
+                    ? "; the file of this name is written " + MessageText.excerpt("./" + argument)
+                    : "";
+        } catch (InvalidPathException e) {
+            return "";
+        }
     }
 
     /** A value that begins like an option can only be written as {@code --option=VALUE}. */

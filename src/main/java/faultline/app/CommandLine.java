@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 
 /** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
@@ -111,9 +112,10 @@ final class CommandLine {
     /** Reports the problems of a file, and the options that take it if it is a program. */
     private int reportProblems(ScenarioException e) {
         output.printError(e);
-        String file = e.problems().get(0).file();
+        String file = e.problems().get(0).file().toLowerCase(Locale.ROOT);
         if (file.endsWith(".py") || file.endsWith(".jar")) {
-            output.printError("faultline: a program is chosen with --controller, a jar with --jar, beside a scenario");
+            output.printError(
+                    "faultline: a program drives the robot by run SCENARIO --controller COMMAND, a jar by --jar");
         }
         return ExitCode.BAD_INPUT;
     }

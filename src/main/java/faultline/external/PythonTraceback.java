@@ -19,16 +19,19 @@ final class PythonTraceback {
     /** A line of a program, which is the name of its file and the number of the line from 1. */
     record ProgramLine(String file, String line) {}
 
-    /** Returns the innermost line of the user's own program; empty if the lines are no traceback with one. */
+    /**
+     * Returns the innermost line of the user's own program in the traceback that ends with the last line; empty if
+     * there is none.
+     */
     static Optional<ProgramLine> findOwnLine(List<String> lines) {
-        Optional<ProgramLine> own = Optional.empty();
-        for (String line : lines) {
-            Matcher matcher = PLACE.matcher(line);
+        // The last line is the exception; the calls before it are indented.
+        for (int i = lines.size() - 2; i >= 0 && lines.get(i).startsWith(" "); i--) {
+            Matcher matcher = PLACE.matcher(lines.get(i));
             if (matcher.find() && !FOREIGN.matcher(matcher.group(1)).matches()) {
                 String file = matcher.group(1).replaceFirst(".*[/\\\\]", "");
-                own = Optional.of(new ProgramLine(file, matcher.group(2)));
+                return Optional.of(new ProgramLine(file, matcher.group(2)));
             }
         }
-        return own;
+        return Optional.empty();
     }
 }

@@ -348,7 +348,7 @@ class CommandLineTest {
     @Test
     void whoOpensAControllerAsAScenarioLearnsTheOptionsForIt(@TempDir Path programs) throws Exception {
         Path program = Files.writeString(programs.resolve("robot.py"), "import faultline\n");
-        String hint = "\nfaultline: a program is chosen with --controller, a jar with --jar, beside a scenario\n";
+        String hint = "\nfaultline: a program drives the robot by run SCENARIO --controller COMMAND, a jar by --jar\n";
         CommandResult refused = command("run", program.toString());
         assertEquals(2, refused.code());
         assertTrue(refused.err().endsWith(hint), refused.err());
@@ -395,6 +395,19 @@ class CommandLineTest {
                 "<campaign xmlns=\"urn:faultline:campaign:1\">"
                         + "<worlds><scenario file=\"m\u00f3j.xml\"/></worlds></campaign>");
         assertNamesEncoding(JavaProcess.builder("faultline.app.Main", List.of("check", plan.toString())));
+    }
+
+    @Test
+    @EnabledOnOs(value = OS.LINUX, disabledReason = "other systems have one encoding for the names of files")
+    void anUnknownOptionIsReportedAlsoIfItCannotBeTheNameOfAFile() throws Exception {
+        List<String> command =
+                new ArrayList<>(List.of("sh", "-c", "exec \"$@\" \"$(printf -- '--gr\\303\\266e')\"", "sh"));
+        command.addAll(JavaProcess.builder("faultline.app.Main", List.of("check", "a.xml"))
+                .command());
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("LC_ALL", "C");
+        String output = JavaProcess.output(builder.start());
+        assertTrue(output.contains("there is no option"), output);
     }
 
     private static void assertNamesEncoding(ProcessBuilder builder) throws Exception {

@@ -23,7 +23,21 @@ class PythonTracebackTest {
         assertEquals(Optional.of(new PythonTraceback.ProgramLine("gains.py", "3")), PythonTraceback.findOwnLine(lines));
         assertEquals(
                 Optional.of(new PythonTraceback.ProgramLine("robot.py", "9")),
-                PythonTraceback.findOwnLine(lines.subList(0, 4)));
+                PythonTraceback.findOwnLine(List.of(lines.get(1), lines.get(2), lines.get(3), lines.get(7))));
         assertEquals(Optional.empty(), PythonTraceback.findOwnLine(lines.subList(6, 8)));
+    }
+
+    @Test
+    void aTracebackBeforeOtherLinesIsNotTheReason() {
+        List<String> lines = List.of(
+                "Traceback (most recent call last):",
+                "  File \"robot.py\", line 4, in <module>",
+                "    1 / 0",
+                "ZeroDivisionError: division by zero",
+                "the model of the battery is missing");
+        assertEquals(Optional.empty(), PythonTraceback.findOwnLine(lines));
+        assertEquals(
+                Optional.of(new PythonTraceback.ProgramLine("robot.py", "4")),
+                PythonTraceback.findOwnLine(lines.subList(0, 4)));
     }
 }
