@@ -17,7 +17,8 @@ import java.util.stream.IntStream;
 
 /**
  * Paints the route of a moving obstacle: a dashed line through dots at its waypoints with an arrow on each leg, and the
- * speed beside the longest leg.
+ * speed beside the longest leg. Hundreds of legs in the picture are thin lines without dashes, dots and arrows, which
+ * take little time.
  */
 final class RoutePainter {
 
@@ -36,19 +37,35 @@ final class RoutePainter {
 
     /** Paints a route, whose speed does not cover other labels if there is room, given their bounding boxes, pixels. */
     static void paint(DrawContext context, WaypointPath motion, List<Rectangle2D> taken) {
-        Color colour = context.palette().movingOutline();
         List<Vector2> points = toScreen(context.camera(), motion);
-        // Between two points the way back would fill the gaps between the dashes.
-        context.draw(
-                Shapes.polyline(motion.waypoints().size() == 2 ? points.subList(0, 2) : points), colour, LINE_STROKE);
+        List<List<Vector2>> pieces =
+                VisibleRoute.pieces(points, context.camera().bounds());
+        if (VisibleRoute.isCrowded(pieces)) {
+            paintThin(context, pieces);
+        } else {
+            // Between two points the way back would fill the gaps between the dashes.
+            boolean oneWay = motion.waypoints().size() == 2;
+            pieces.forEach(piece -> paintPiece(context, piece, oneWay ? piece.subList(0, 2) : piece));
+        }
+        if (points.size() > 1) {
+            paintSpeed(context, motion.speed(), points, taken);
+        }
+    }
+
+    private static void paintThin(DrawContext context, List<List<Vector2>> pieces) {
+        Path2D lines = new Path2D.Double();
+        pieces.forEach(piece -> lines.append(Shapes.polyline(piece), false));
+        context.drawThin(lines, context.palette().movingOutline());
+    }
+
+    private static void paintPiece(DrawContext context, List<Vector2> points, List<Vector2> line) {
+        Color colour = context.palette().movingOutline();
+        context.draw(Shapes.polyline(line), colour, LINE_STROKE);
         for (Vector2 point : points) {
             context.fill(Shapes.circle(point, DOT_RADIUS), colour);
         }
         for (int i = 1; i < points.size(); i++) {
             paintArrow(context, points.get(i - 1), points.get(i), colour);
-        }
-        if (points.size() > 1) {
-            paintSpeed(context, motion.speed(), points, taken);
         }
     }
 

@@ -8,6 +8,7 @@ import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Shapes;
 import faultline.world.Obstacle;
+import java.awt.Rectangle;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Rectangle2D;
@@ -89,10 +90,27 @@ public final class SelectionPainter {
 
     private static void paintWaypoints(DrawContext context, Obstacle obstacle) {
         Shape outline = screenOutline(context, obstacle);
-        obstacle.motion().waypoints().stream()
+        List<Vector2> waypoints = obstacle.motion().waypoints().stream()
                 .map(context.camera()::toScreen)
+                .toList();
+        List<Vector2> places = VisibleRoute.waypoints(
+                        waypoints, context.camera().bounds())
+                .stream()
                 .filter(place -> !outline.contains(place.x(), place.y()))
-                .forEach(place -> paintKnob(context, Shapes.circle(place, WAYPOINT_RADIUS)));
+                .toList();
+        if (places.size() > VisibleRoute.MANY) {
+            places.forEach(place -> paintSimpleKnob(context, place));
+        } else {
+            places.forEach(place -> paintKnob(context, Shapes.circle(place, WAYPOINT_RADIUS)));
+        }
+    }
+
+    /** Paints a square of whole pixels in place of a circle, which takes much longer. */
+    private static void paintSimpleKnob(DrawContext context, Vector2 place) {
+        int x = (int) Math.floor(place.x());
+        int y = (int) Math.floor(place.y());
+        context.fill(new Rectangle(x - 3, y - 3, 7, 7), context.palette().accent());
+        context.fill(new Rectangle(x - 2, y - 2, 5, 5), context.palette().canvas());
     }
 
     /** Paints the common handle of the selected obstacles, at least one. */

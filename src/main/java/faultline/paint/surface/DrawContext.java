@@ -81,6 +81,11 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
         surface.draw(shape, colour, stroke);
     }
 
+    /** Draws thousands of lines in little time, where lines of pixels may be thin and have rough edges. */
+    public void drawThin(Shape lines, Color colour) {
+        surface.drawThin(lines, colour);
+    }
+
     /** Draws a ring with a halo of the canvas's colour. */
     public void drawRing(Vector2 centre, double radius, double width, Color colour) {
         Shape circle = Shapes.circle(centre, radius);

@@ -1,6 +1,7 @@
 package faultline.paint.surface;
 
 import faultline.geometry.Vector2;
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Shape;
@@ -22,6 +23,11 @@ public interface Surface {
     /** Draws the outline of a shape. */
     default void draw(Shape shape, LineStyle style) {
         draw(shape, style.colour(), style.stroke());
+    }
+
+    /** Draws thousands of lines in little time, where lines of pixels may be thin and have rough edges. */
+    default void drawThin(Shape lines, Color colour) {
+        draw(lines, colour, new BasicStroke(1));
     }
 
     /**

@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Vector2;
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
@@ -170,5 +173,23 @@ class GraphicsSurfaceTest {
         }
         assertEquals(Color.BLACK, new Color(image.getRGB(146, 100)));
         assertEquals(Color.BLACK, new Color(image.getRGB(155, 100)));
+    }
+
+    @Test
+    void thinLinesHaveRoughEdgesAndWhatFollowsHasNot() {
+        Line2D line = new Line2D.Double(10, 10, 190, 60);
+        assertEquals(0, countMixed(paint(graphics -> new GraphicsSurface(graphics).drawThin(line, Color.RED))));
+        BufferedImage both = paint(graphics -> {
+            GraphicsSurface surface = new GraphicsSurface(graphics);
+            surface.drawThin(line, Color.RED);
+            surface.draw(new Line2D.Double(10, 110, 190, 160), Color.RED, new BasicStroke(1));
+        });
+        assertTrue(countMixed(both) > 100);
+    }
+
+    private static long countMixed(BufferedImage image) {
+        return Arrays.stream(image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE))
+                .filter(rgb -> rgb != Color.WHITE.getRGB() && rgb != Color.RED.getRGB())
+                .count();
     }
 }
