@@ -2,6 +2,8 @@ import faultline.gui.dialog.AppIcon;
 import faultline.io.Sha256;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -65,7 +67,7 @@ public final class Package {
         deleteTree(RUNTIME);
     }
 
-    private static void makeDebianPackage(List<String> common, String version) {
+    private static void makeDebianPackage(List<String> common, String version) throws Exception {
         String homepage = System.getProperty("package.homepage");
         jpackage(
                 common,
@@ -78,6 +80,49 @@ public final class Package {
                 List.of("--linux-package-deps", "libfontconfig1"),
                 List.of("--description", "simulator of a wall-following robot whose infrared sensors fail"),
                 homepage.isEmpty() ? List.of() : List.of("--about-url", homepage));
+        try (Stream<Path> made = Files.list(DIST)) {
+            removePostrm(made.filter(file -> file.toString().endsWith(".deb"))
+                    .findFirst()
+                    .orElseThrow());
+        }
+    }
+
+    /**
+     * Removes the script that jpackage adds for what is to be done after a removal. There is nothing to be done, and
+     * because of the script dpkg keeps the package in its database until it is purged. The other files, which take long
+     * to compress, are copied as they are.
+     */
+    private static void removePostrm(Path deb) throws IOException, InterruptedException {
+        Path root = DIST.resolve("control");
+        Files.createDirectory(root);
+        Path control = DIST.resolve("control.deb");
+        execute("dpkg-deb", "--control", deb.toString(), root.resolve("DEBIAN").toString());
+        Files.deleteIfExists(root.resolve("DEBIAN/postrm"));
+        execute("dpkg-deb", "--root-owner-group", "--build", root.toString(), control.toString());
+        byte[] old = Files.readAllBytes(deb);
+        byte[] changed = Files.readAllBytes(control);
+        try (OutputStream out = Files.newOutputStream(deb)) {
+            out.write(changed, 0, dataStart(changed));
+            out.write(old, dataStart(old), old.length - dataStart(old));
+        }
+        deleteTree(root);
+        Files.delete(control);
+    }
+
+    /** Returns where the installed files begin in a package, an ar archive whose members before them are for dpkg. */
+    private static int dataStart(byte[] deb) {
+        int start = "!<arch>\n".length();
+        while (!new String(deb, start, 16, StandardCharsets.US_ASCII).startsWith("data.tar")) {
+            int size = Integer.parseInt(new String(deb, start + 48, 10, StandardCharsets.US_ASCII).strip());
+            // The header of a member has 60 bytes; each begins at an even place.
+            start += 60 + size + size % 2;
+        }
+        return start;
+    }
+
+    private static void execute(String... command) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(command).inheritIO().start();
+        require(process.waitFor() == 0, command[0] + " failed");
     }
 
     /** On macOS, jpackage refuses a version that begins with 0; an app image without a version is 1.0 there. */
@@ -110,10 +155,7 @@ public final class Package {
         String java = RUNTIME.resolve("bin")
                 .resolve(isWindows() ? "java.exe" : "java")
                 .toString();
-        Process dump = new ProcessBuilder(java, "-Xshare:dump", "-Xlog:disable")
-                .inheritIO()
-                .start();
-        require(dump.waitFor() == 0, "java -Xshare:dump failed");
+        execute(java, "-Xshare:dump", "-Xlog:disable");
     }
 
     /**
