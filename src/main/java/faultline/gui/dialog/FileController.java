@@ -293,7 +293,7 @@ public final class FileController {
 
     private void saveJournal() {
         fileDialogs
-                .chooseFileToSave("saveJournal", suggestedFile("-journal.xml"))
+                .chooseFileToSave("saveJournal", suggestedFile("-journal" + FileNames.newScenarioEnding()))
                 .ifPresent(documentStore::saveJournal);
     }
 
@@ -322,19 +322,19 @@ public final class FileController {
         return workspace.file().map(Path::toAbsolutePath);
     }
 
-    /** Returns the open file if its extension is one of scenario files, or else a name with the first of these. */
+    /** Returns the open file if its extension is one of scenario files, or else a name with that of new ones. */
     Path suggestedScenarioFile() {
         return openFile()
                 .filter(file ->
                         FileNames.hasScenarioExtension(file.getFileName().toString()))
-                .orElseGet(() -> suggestedFile(".xml"));
+                .orElseGet(() -> suggestedFile(FileNames.newScenarioEnding()));
     }
 
     /** Returns the name of the open file, or of the scenario, with another ending. */
     public Path suggestedFile(String ending) {
         String scenario =
                 FileNames.forScenario(workspace.scenario().map(Scenario::name).orElse(""));
-        Path file = openFile().orElse(Path.of(scenario + ".xml"));
+        Path file = openFile().orElse(Path.of(scenario + FileNames.newScenarioEnding()));
         return file.resolveSibling(FileNames.withoutExtension(file.getFileName().toString()) + ending);
     }
 

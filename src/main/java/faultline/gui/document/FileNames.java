@@ -18,6 +18,9 @@ public final class FileNames {
     /** The extensions of scenario files; a desktop opens files of the second with this program. */
     public static final List<String> SCENARIO_EXTENSIONS = List.of("xml", "faultline");
 
+    /** Set by the launcher of a package that makes a desktop open files with an extension: that extension. */
+    private static final String EXTENSION = "faultline.extension";
+
     private static final String DEFAULT_NAME = "scenario";
     private static final int MAX_LENGTH = 100;
     /** Many file systems allow 255 bytes, with the extension and what a program adds to it. */
@@ -33,6 +36,16 @@ public final class FileNames {
     /** Returns whether a file name ends with an extension of scenario files. */
     public static boolean hasScenarioExtension(String name) {
         return SCENARIO_EXTENSION.matcher(name).find();
+    }
+
+    /**
+     * Returns the ending of the names of new scenario files: the one with which the desktop opens them if this program
+     * is installed, or else ".xml".
+     */
+    public static String newScenarioEnding() {
+        String first = SCENARIO_EXTENSIONS.get(0);
+        String wanted = System.getProperty(EXTENSION, first);
+        return "." + (SCENARIO_EXTENSIONS.contains(wanted) ? wanted : first);
     }
 
     /** Returns the name of a scenario file without its extension. */

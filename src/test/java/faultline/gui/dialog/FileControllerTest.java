@@ -24,6 +24,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.AfterEach;
@@ -47,6 +49,9 @@ class FileControllerTest {
 
     /** What was asked, in order. */
     private final List<String> questions = new CopyOnWriteArrayList<>();
+
+    /** The file that was last suggested for a save. */
+    private volatile Path suggested;
 
     private final Workspace workspace = callOnEdt(Workspace::new);
     private final RunController run = callOnEdt(() -> new RunController(workspace));
@@ -236,6 +241,34 @@ class FileControllerTest {
         assertEquals(Path.of("scenario.xml"), callOnEdt(files::suggestedScenarioFile));
     }
 
+    /** The package makes the desktop open files with one of the extensions, and its launcher names it. */
+    @Test
+    void anInstalledProgramSavesNewScenariosSoThatTheDesktopOpensThem() throws IOException {
+        Path packaging = Path.of("src/conf/dist/linux");
+        Matcher option = Pattern.compile("-D(faultline\\.extension)=(\\w+) ")
+                .matcher(Files.readString(packaging.resolve("postinst")));
+        assertTrue(option.find());
+        String extension = option.group(2);
+        assertTrue(Files.readString(packaging.resolve("share/faultline-mime.xml"))
+                .contains("<glob pattern=\"*." + extension + "\"/>"));
+        System.setProperty(option.group(1), extension);
+        try {
+            assertEquals(Path.of("scenario." + extension), callOnEdt(files::suggestedScenarioFile));
+            perform("saveJournal");
+            assertEquals(Path.of("scenario-journal." + extension), suggested);
+            Path office = openCopy();
+            assertEquals(office, callOnEdt(files::suggestedScenarioFile));
+        } finally {
+            System.clearProperty(option.group(1));
+        }
+    }
+
+    @Test
+    void aNewJournalIsSavedAsXml() {
+        perform("saveJournal");
+        assertEquals(Path.of("scenario-journal.xml"), suggested);
+    }
+
     /** Chooses the office, and one of the answers. */
     private final class AnsweringDialogs extends FileDialogs {
 
@@ -247,6 +280,12 @@ class FileControllerTest {
         Optional<Path> chooseFileToOpen(String action, Path selected) {
             questions.add(action);
             return Optional.of(Path.of("scenarios/office.xml"));
+        }
+
+        @Override
+        Optional<Path> chooseFileToSave(String action, Path suggestion) {
+            suggested = suggestion;
+            return Optional.empty();
         }
 
         @Override
