@@ -68,7 +68,7 @@ final class FaultSections {
         return Html.section(
                 "Survival by fault and sensor",
                 Html.paragraph("Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the"
-                                + " number of runs." + otherFaults())
+                                + " number of runs." + otherFaults() + pooledFactors("cell", FactorKind.FAULTS))
                         + tables);
     }
 
@@ -210,7 +210,7 @@ final class FaultSections {
                         + " of " + sets.size() + " sets are sufficient. A set is certain if its whole 95 %"
                         + " interval is at " + percent + " or more, which requires " + certainRuns()
                         + " independent runs or more; "
-                        + count(sets, SensorSet::isCertain) + " are certain." + pooledFactors())
+                        + count(sets, SensorSet::isCertain) + " are certain." + pooledFactors("set", FactorKind.MASKS))
                 + minimumTable(sets)
                 + "<h3>All sets</h3>\n"
                 + Html.table(
@@ -236,14 +236,17 @@ final class FaultSections {
         return sets;
     }
 
-    /** Returns a sentence about the factors of which a set has runs with all levels, empty if there are none. */
-    private String pooledFactors() {
+    /**
+     * Returns a sentence about the factors of which a part of a table has runs with all levels, given the kind of those
+     * that the parts differ in; empty if there are none.
+     */
+    private String pooledFactors(String part, FactorKind shown) {
         String pooled = campaign.plan().factors().stream()
-                .filter(factor -> factor.kind() != FactorKind.MASKS && factor.levelCount() > 1)
+                .filter(factor -> factor.kind() != shown && factor.levelCount() > 1)
                 .map(FaultSections::column)
                 .filter(column -> !comparedColumn().equals(Optional.of(column)))
                 .collect(Collectors.joining(", "));
-        return pooled.isEmpty() ? "" : " The runs of a set are those with all levels of " + pooled + ".";
+        return pooled.isEmpty() ? "" : " The runs of a " + part + " are those with all levels of " + pooled + ".";
     }
 
     /** Returns the least number of runs of a certain set, if the robot carries on in all of them. */

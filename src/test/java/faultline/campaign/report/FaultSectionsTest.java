@@ -105,6 +105,22 @@ class FaultSectionsTest {
     }
 
     @Test
+    void theMatrixNamesTheFactorsWhoseLevelsACellIncludes() throws ScenarioException {
+        String compared = "<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>";
+        String drawn = "<set attribute=\"controller/@distance\" value=\"0.2..0.3\"/>";
+        String pooled = "<set attribute=\"controller/@diagnosis\" value=\"on off\"/>";
+        addRun("front", "ALL", "");
+        String start = "The runs of a cell are those with all levels of";
+        assertTrue(matrixOf(compared + pooled + drawn + PLAN).contains(start + " controller_diagnosis.</p>"));
+        assertFalse(matrixOf(compared + drawn + PLAN).contains(start));
+        assertFalse(matrixOf(PLAN).contains(start));
+    }
+
+    private String matrixOf(String factors) throws ScenarioException {
+        return new FaultSections(new CampaignRuns(SamplePlan.read(SamplePlan.text("", factors)), lines)).matrix();
+    }
+
+    @Test
     void theSecondFaultHasATableOfItsOwn() throws ScenarioException {
         String matrix = sectionsOfTwoFaults().matrix();
         assertTrue(matrix.contains("<th scope=\"col\">fault_kind</th><th scope=\"col\">front</th>"), matrix);
