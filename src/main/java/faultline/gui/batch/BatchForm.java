@@ -49,8 +49,8 @@ final class BatchForm extends JPanel {
     private static final double EARLIEST_SHARE = 0.1;
     private static final double LATEST_SHARE = 0.5;
 
-    /** The duration, seconds, below which the first suggestion for the start of faults has fractions of a second. */
-    private static final double SHORT_SECONDS = 2;
+    /** The least duration, in the unit of the first suggestion for the start of faults: seconds or fractions of one. */
+    private static final double MIN_UNITS = 2;
 
     private final Scenario scenario;
     private final NumberSpinner seeds = number("0", 1, 1_000_000, 1, "batch.seeds");
@@ -192,10 +192,10 @@ final class BatchForm extends JPanel {
         firstSeed.setWorldValue(seed >= -CampaignPlan.MAX_SEED && seed <= CampaignPlan.MAX_SEED ? seed : 1);
         duration.setWorldValue(seconds);
         jobs.setWorldValue(Runtime.getRuntime().availableProcessors());
-        // Whole seconds, or whole milliseconds.
-        double scale = seconds < SHORT_SECONDS ? 1000 : 1;
+        // Whole seconds, whole milliseconds, or whole microseconds.
+        double scale = seconds >= MIN_UNITS ? 1 : seconds * 1000 >= MIN_UNITS ? 1000 : 1_000_000;
         double earliest = Math.rint(EARLIEST_SHARE * seconds * scale);
-        double latest = Math.max(earliest + 1, Math.rint(LATEST_SHARE * seconds * scale));
+        double latest = Math.max(earliest + 1, Math.floor(LATEST_SHARE * seconds * scale));
         onset.setText(DecimalText.format(earliest / scale) + ".." + DecimalText.format(latest / scale));
     }
 

@@ -40,6 +40,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class BatchFormTest {
 
@@ -90,11 +92,20 @@ class BatchFormTest {
         assertTrue(labels().contains("|Runs: " + expected), labels());
     }
 
-    @Test
-    void theFirstPlanOfAShortRunHasFaultsBeforeItsEnd() {
-        Scenario shortRun = scenario.withSetup(scenario.setup().withDuration(0.5));
+    @ParameterizedTest
+    @CsvSource({
+        "0.001, 0.0001..0.0005",
+        "0.002, 0..0.001",
+        "0.003, 0..0.001",
+        "0.5, 0.05..0.25",
+        "2, 0..1",
+        "3, 0..1",
+        "180, 18..90"
+    })
+    void theFirstPlanHasFaultsInTheFirstHalfOfTheRun(double duration, String onset) {
+        Scenario shortRun = scenario.withSetup(scenario.setup().withDuration(duration));
         form = callOnEdt(() -> new BatchForm(shortRun));
-        assertEquals("0.05..0.25", plan().onset());
+        assertEquals(onset, plan().onset());
         assertFalse(labels().contains("|Faults may start after the end"), labels());
     }
 
