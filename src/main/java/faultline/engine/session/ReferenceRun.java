@@ -17,8 +17,6 @@ import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.world.Collision;
 import faultline.world.CommandResult;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -44,10 +42,12 @@ public final class ReferenceRun {
     /** Null if there was none. */
     private final Collision firstCollision;
 
-    private final List<CommandResult.Refused> refusals;
+    /** Null if there was none. */
+    private final CommandResult.Refused firstRefusal;
 
-    private ReferenceRun(
-            Journal journal, Simulation simulation, List<CommandResult.Refused> refused, LongPredicate shouldContinue) {
+    private final int refusalCount;
+
+    private ReferenceRun(Journal journal, Simulation simulation, RefusalCounter counter, LongPredicate shouldContinue) {
         int size = (int) Math.min(journal.ticks() + 1, HashTraceRecorder.MAX_HASHES);
         setup = journal.setup();
         x = new double[size];
@@ -66,7 +66,8 @@ public final class ReferenceRun {
         recording = recorder.view();
         path = simulation.frame().path();
         measures = meter.measures();
-        refusals = List.copyOf(refused);
+        firstRefusal = counter.first;
+        refusalCount = counter.count;
         firstCollision = simulation.collision().orElse(null);
     }
 
@@ -80,14 +81,26 @@ public final class ReferenceRun {
      * @throws CancellationException if the run was cancelled
      */
     public static ReferenceRun replay(Journal journal, LongPredicate shouldContinue) {
-        List<CommandResult.Refused> refused = new ArrayList<>();
-        CommandListener listener = result -> {
+        RefusalCounter counter = new RefusalCounter();
+        try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT, counter)) {
+            return new ReferenceRun(journal, simulation, counter, shouldContinue);
+        }
+    }
+
+    /** Counts the refused commands and keeps the first one; a long run may have many. */
+    private static final class RefusalCounter implements CommandListener {
+
+        /** Null if there was none. */
+        private CommandResult.Refused first;
+
+        private int count;
+
+        @Override
+        public void commandHandled(CommandResult result) {
             if (result instanceof CommandResult.Refused refusal) {
-                refused.add(refusal);
+                first = first == null ? refusal : first;
+                count++;
             }
-        };
-        try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT, listener)) {
-            return new ReferenceRun(journal, simulation, refused, shouldContinue);
         }
     }
 
@@ -155,9 +168,14 @@ public final class ReferenceRun {
         return Optional.ofNullable(firstCollision);
     }
 
-    /** {@return the commands that were refused, in order} */
-    public List<CommandResult.Refused> refusals() {
-        return refusals;
+    /** {@return the first command that was refused, if one was} */
+    public Optional<CommandResult.Refused> firstRefusal() {
+        return Optional.ofNullable(firstRefusal);
+    }
+
+    /** {@return the number of commands that were refused} */
+    public int refusalCount() {
+        return refusalCount;
     }
 
     /** {@return the hash of the trajectory after every tick up to {@link #lastTick}} */

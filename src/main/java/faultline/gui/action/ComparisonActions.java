@@ -13,7 +13,6 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import faultline.gui.text.RefusalText;
 import faultline.paint.scene.ReferenceOverlay;
-import faultline.world.CommandResult;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -110,14 +109,12 @@ public final class ComparisonActions {
 
     /** Describes the first refused command of a run, with the number of further ones; empty if there was none. */
     private static Optional<String> refusalText(ReferenceRun run) {
-        List<CommandResult.Refused> refusals = run.refusals();
-        return refusals.stream()
-                .findFirst()
+        return run.firstRefusal()
                 .map(first -> Messages.get(
-                        refusals.size() == 1 ? "ghost.refused" : "ghost.refusedMore",
+                        run.refusalCount() == 1 ? "ghost.refused" : "ghost.refusedMore",
                         NumberText.format("%.2f s", run.setup().timeOf(first.tick())),
                         RefusalText.format(first.reason()),
-                        Integer.toString(refusals.size() - 1)));
+                        Integer.toString(run.refusalCount() - 1)));
     }
 
     /** Describes the measures of a run at its end; empty if it has followed no wall. */
