@@ -42,6 +42,7 @@ public sealed interface RunEvent {
      * @param commandRefused for a refused command
      * @param collided for the first contact
      * @param diverged for the first difference from the reference run
+     * @param printed for a line that a controller program has printed
      */
     record EventCases<R>(
             Function<StateChanged, R> stateChanged,
@@ -51,7 +52,8 @@ public sealed interface RunEvent {
             Function<CommandExecuted, R> commandExecuted,
             Function<CommandRefused, R> commandRefused,
             Function<Collided, R> collided,
-            Function<Diverged, R> diverged) {}
+            Function<Diverged, R> diverged,
+            Function<Printed, R> printed) {}
 
     /**
      * The controller changed its state.
@@ -183,6 +185,20 @@ public sealed interface RunEvent {
         @Override
         public <R> R match(EventCases<R> cases) {
             return cases.diverged.apply(this);
+        }
+    }
+
+    /**
+     * A controller program has printed a line. When it arrives depends on the machine, so no run records it.
+     *
+     * @param tick the tick that was shown when the line was added
+     * @param time the time of that tick, seconds
+     * @param line the line
+     */
+    record Printed(long tick, double time, String line) implements RunEvent {
+        @Override
+        public <R> R match(EventCases<R> cases) {
+            return cases.printed.apply(this);
         }
     }
 }

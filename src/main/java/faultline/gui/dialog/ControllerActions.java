@@ -265,6 +265,11 @@ public final class ControllerActions implements WorkspaceListener, AutoCloseable
         watch.stop();
     }
 
+    /** Returns the lines that the controllers of the run and of ghosts have printed since the last call. */
+    public List<String> takePrintedLines() {
+        return errorLines.takeNew();
+    }
+
     /** Returns whether changes of the files of the session's controller are noted. */
     boolean isWatching() {
         return watch.isRunning();

@@ -1,15 +1,22 @@
 package faultline.gui.dialog;
 
 import faultline.gui.action.Notes;
+import faultline.gui.text.Messages;
 import faultline.io.MessageText;
 import java.awt.EventQueue;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 
 /**
- * Shows the newest line that a controller writes to its standard error. A line of a controller of the run that has been
- * replaced is removed, and a later one is not shown. The lines of a ghost do not depend on the run.
+ * Shows the newest line that a controller writes to its standard error, and keeps the newest lines for the event log. A
+ * line of a controller of the run that has been replaced is removed, and a later one is not shown. The lines of a ghost
+ * do not depend on the run.
  */
 final class ErrorLines {
 
@@ -18,11 +25,17 @@ final class ErrorLines {
     /** The length of a line that has room in a tool tip, characters. */
     private static final int MAX_LENGTH = 400;
 
+    /** The maximum number of lines that wait for the event log, so that a flood of lines does not fill the memory. */
+    static final int MAX_WAITING = 300;
+
     private record ErrorLine(int controller, String text) {}
 
     private final Notes notes;
     /** The newest line that is not shown yet. */
     private final AtomicReference<ErrorLine> unshown = new AtomicReference<>();
+
+    /** The newest lines that have not been taken, the oldest first; guarded by itself. */
+    private final Deque<ErrorLine> waiting = new ArrayDeque<>();
 
     private final AtomicInteger created = new AtomicInteger();
     private int driving;
@@ -46,6 +59,12 @@ final class ErrorLines {
     /** Shows the newest line only, because lines may arrive faster than they can be shown. */
     private void add(int controller, String text) {
         ErrorLine line = new ErrorLine(controller, MessageText.shortened(text, MAX_LENGTH));
+        synchronized (waiting) {
+            if (waiting.size() == MAX_WAITING) {
+                waiting.removeFirst();
+            }
+            waiting.addLast(line);
+        }
         if (unshown.getAndAccumulate(line, this::newest) == null) {
             EventQueue.invokeLater(this::showNewest);
         }
@@ -64,6 +83,28 @@ final class ErrorLines {
             shown = line;
             notes.showLine(line.text());
         }
+    }
+
+    /**
+     * Returns the lines of the driving controller and of ghosts since the last call. Those of a controller that is
+     * being started wait until it drives.
+     */
+    List<String> takeNew() {
+        assert EventQueue.isDispatchThread();
+        List<String> taken = new ArrayList<>();
+        synchronized (waiting) {
+            for (Iterator<ErrorLine> lines = waiting.iterator(); lines.hasNext(); ) {
+                ErrorLine line = lines.next();
+                boolean ghost = line.controller() == NEVER_REPLACED;
+                if (ghost || line.controller() == driving) {
+                    taken.add(ghost ? Messages.get("event.ghostOutput", line.text()) : line.text());
+                }
+                if (ghost || line.controller() <= driving) {
+                    lines.remove();
+                }
+            }
+        }
+        return taken;
     }
 
     /** Lets the newest controller replace the earlier ones. */

@@ -19,7 +19,9 @@ import java.awt.GridLayout;
 import java.awt.Insets;
 import java.awt.Point;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -170,8 +172,28 @@ public final class EventLogView extends JPanel {
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
+        showRows(
+                () -> events.update(frame.recording().events(), frame.snapshot().tick()));
+    }
+
+    /** Shows a frame, and adds lines that programs have printed. */
+    void addLines(List<String> lines, SessionFrame frame) {
+        setFrame(frame);
+        showRows(() -> {
+            events.addLines(lines, frame.snapshot().time());
+            return true;
+        });
+    }
+
+    /** Removes the events of the run and all lines. */
+    void clear() {
+        events.clear();
+    }
+
+    /** Makes a change that returns whether it added rows, and shows the newest row or those that showed before. */
+    private void showRows(BooleanSupplier change) {
         int chosen = table.getSelectedRow();
-        boolean added = events.update(frame.recording().events());
+        boolean added = change.getAsBoolean();
         if (table.getSelectedRow() >= 0) {
             scrollByRows(table.getSelectedRow() - chosen);
         } else if (added && table.getRowCount() > 0) {

@@ -5,23 +5,42 @@ import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.EventKind;
 import faultline.gui.timeline.EventText;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import javax.swing.table.AbstractTableModel;
 
-/** The event log as a table of time, kind and description. */
+/**
+ * The event log as a table of time, kind and description. The divergence from the reference run and what controller
+ * programs have printed are listed among the events of the log.
+ */
 final class EventTableModel extends AbstractTableModel {
 
     /** The index of the kind column. */
     static final int KIND_COLUMN = 1;
+
+    /** The maximum number of printed lines; the events of a log are many times as many. */
+    static final int MAX_LINES = 300;
 
     private static final String[] COLUMNS = {"events.time", "events.kind", "events.event"};
 
     private transient EventLog log = EventLog.EMPTY;
     /** The number of the oldest event that has a row. */
     private long firstEvent;
+    /** The newest tick that is shown. */
+    private long tick;
 
+    /** The events that are not part of the log, in the order of their ticks and rows. */
+    private final transient List<Extra> extras = new ArrayList<>();
     /** Null if the run does not differ from the reference run. */
     private transient RunEvent.Diverged divergence;
+
+    /** An event that is not part of the log, and the number of the event in the log before which it is listed. */
+    private record Extra(long next, RunEvent event) {
+        boolean isLine() {
+            return event instanceof RunEvent.Printed;
+        }
+    }
 
     /** Inserts the divergence from the reference run among the events of the run; null removes it. */
     void setDivergence(RunEvent.Diverged newDivergence) {
@@ -29,23 +48,101 @@ final class EventTableModel extends AbstractTableModel {
             return;
         }
         if (divergence != null) {
-            int row = divergenceRow();
-            divergence = null;
-            fireTableRowsDeleted(row, row);
+            removeExtras(divergencePlace(), 1);
         }
+        divergence = newDivergence;
         if (newDivergence != null) {
-            divergence = newDivergence;
-            fireTableRowsInserted(divergenceRow(), divergenceRow());
+            insertExtras(
+                    extrasBefore(newDivergence.tick()),
+                    log.firstIndexSince(newDivergence.tick()),
+                    List.of(newDivergence));
         }
     }
 
-    /** Shows a newer log and returns whether rows were added. */
-    boolean update(EventLog newest) {
+    /** Returns the index of the divergence among the extra events; negative if there is none. */
+    private int divergencePlace() {
+        for (int i = 0; i < extras.size(); i++) {
+            if (extras.get(i).event() == divergence) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** Returns the number of extra events before a tick. */
+    private int extrasBefore(long someTick) {
+        int place = extras.size();
+        while (place > 0 && extras.get(place - 1).event().tick() >= someTick) {
+            place--;
+        }
+        return place;
+    }
+
+    private void insertExtras(int place, long next, List<? extends RunEvent> events) {
+        extras.addAll(
+                place, events.stream().map(event -> new Extra(next, event)).toList());
+        fireTableRowsInserted(rowOf(place), rowOf(place) + events.size() - 1);
+    }
+
+    /** Removes extra events whose rows follow each other. */
+    private void removeExtras(int place, int count) {
+        int row = rowOf(place);
+        extras.subList(place, place + count).clear();
+        fireTableRowsDeleted(row, row + count - 1);
+    }
+
+    /** Returns the row of an extra event. */
+    private int rowOf(int place) {
+        return place + (int) (Math.max(firstEvent, extras.get(place).next()) - firstEvent);
+    }
+
+    /**
+     * Adds lines that programs have printed, at the tick that is shown, of a time in seconds; the oldest lines are
+     * dropped.
+     */
+    void addLines(List<String> lines, double time) {
+        List<RunEvent.Printed> events = lines.stream()
+                .skip(Math.max(0, lines.size() - MAX_LINES))
+                .map(line -> new RunEvent.Printed(tick, time, line))
+                .toList();
+        if (!events.isEmpty()) {
+            insertExtras(extrasBefore(tick + 1), log.endIndex(), events);
+            dropOldestLines();
+        }
+    }
+
+    private void dropOldestLines() {
+        int surplus = (int) extras.stream().filter(Extra::isLine).count() - MAX_LINES;
+        for (int place = 0; surplus > 0; ) {
+            if (!extras.get(place).isLine()) {
+                place++;
+                continue;
+            }
+            int count = 1;
+            while (count < surplus
+                    && extras.get(place + count).isLine()
+                    && rowOf(place + count) == rowOf(place) + count) {
+                count++;
+            }
+            removeExtras(place, count);
+            surplus -= count;
+        }
+    }
+
+    /** Removes the events of the run and all lines. */
+    void clear() {
+        extras.removeIf(Extra::isLine);
+        tick = 0;
+        replaceLog(EventLog.EMPTY);
+    }
+
+    /** Shows a log at a tick, which is newer or of another run, and returns whether rows were added. */
+    boolean update(EventLog newest, long newTick) {
         EventLog before = log;
-        if (!isContinuation(before, newest)) {
-            log = newest;
-            firstEvent = newest.firstIndex();
-            fireTableDataChanged();
+        boolean continued = newTick >= tick && isContinuation(before, newest);
+        tick = newTick;
+        if (!continued) {
+            replaceLog(newest);
             return true;
         }
         RunEvent.Diverged marked = divergence;
@@ -56,6 +153,16 @@ final class EventTableModel extends AbstractTableModel {
         appendEvents(newest);
         setDivergence(marked);
         return newest.endIndex() > before.endIndex();
+    }
+
+    /** Shows the log of another run, or of the same one that was moved back, without the lines of later ticks. */
+    private void replaceLog(EventLog newest) {
+        log = newest;
+        firstEvent = newest.firstIndex();
+        extras.removeIf(extra -> extra.isLine() && extra.event().tick() > tick);
+        extras.replaceAll(extra ->
+                new Extra(newest.firstIndexSince(extra.event().tick() + (extra.isLine() ? 1 : 0)), extra.event()));
+        fireTableDataChanged();
     }
 
     /** Returns whether a log belongs to the same run; another run has other event objects. */
@@ -76,20 +183,21 @@ final class EventTableModel extends AbstractTableModel {
     }
 
     /**
-     * Removes the rows of dropped events; the divergence keeps its row. With each notification, the table has exactly
+     * Removes the rows of dropped events; the other events keep theirs. With each notification, the table has exactly
      * the rows that are left, on which a sorter relies.
      */
     private void removeOldest(long newFirst) {
-        long marked = firstEvent + divergenceRow();
-        removeUntil(Math.min(newFirst, marked), 0);
-        removeUntil(newFirst, 1);
+        for (int place = 0; place < extras.size() && firstEvent < newFirst; place++) {
+            removeUntil(Math.min(newFirst, extras.get(place).next()), place);
+        }
+        removeUntil(newFirst, extras.size());
     }
 
     /** Removes events before a new first one, given the row of the old one. */
     private void removeUntil(long newFirst, int row) {
         int removed = (int) (newFirst - firstEvent);
-        firstEvent = newFirst;
         if (removed > 0) {
+            firstEvent = newFirst;
             fireTableRowsDeleted(row, row + removed - 1);
         }
     }
@@ -103,23 +211,22 @@ final class EventTableModel extends AbstractTableModel {
     }
 
     RunEvent eventAt(int row) {
-        int extra = divergenceRow();
-        if (row == extra) {
-            return divergence;
+        int low = 0;
+        int high = extras.size();
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (rowOf(middle) < row) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
         }
-        return log.get(firstEvent + (row < extra ? row : row - 1));
-    }
-
-    /** Returns the row of the divergence, after all events of earlier ticks; past the last row if there is none. */
-    private int divergenceRow() {
-        return divergence == null
-                ? Integer.MAX_VALUE
-                : (int) (Math.max(firstEvent, log.firstIndexSince(divergence.tick())) - firstEvent);
+        return low < extras.size() && rowOf(low) == row ? extras.get(low).event() : log.get(firstEvent + row - low);
     }
 
     @Override
     public int getRowCount() {
-        return (int) (log.endIndex() - firstEvent) + (divergence == null ? 0 : 1);
+        return (int) (log.endIndex() - firstEvent) + extras.size();
     }
 
     @Override

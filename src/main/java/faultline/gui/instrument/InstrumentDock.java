@@ -12,6 +12,7 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
@@ -33,6 +34,8 @@ public final class InstrumentDock extends JTabbedPane {
     private transient SessionFrame newestFrame;
 
     private transient List<TimelineItem> shownItems = List.of();
+    private transient Supplier<List<String>> printedLines = List::of;
+
     private int skippedFrames;
 
     /** Creates empty instruments; {@code jump} receives the tick of an event to go to. */
@@ -62,9 +65,16 @@ public final class InstrumentDock extends JTabbedPane {
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         skippedFrames++;
-        if (skippedFrames >= FRAMES_PER_UPDATE && newestFrame != frame) {
+        if (skippedFrames < FRAMES_PER_UPDATE) {
+            return;
+        }
+        List<String> lines = printedLines.get();
+        if (newestFrame != frame || !lines.isEmpty()) {
             skippedFrames = 0;
             newestFrame = frame;
+            if (!lines.isEmpty()) {
+                events.addLines(lines, frame);
+            }
             update();
         }
     }
@@ -78,6 +88,16 @@ public final class InstrumentDock extends JTabbedPane {
     /** Shows in the event log where the run differs from the reference run, null for nowhere. */
     public void setDivergence(RunEvent.Diverged divergence) {
         events.setDivergence(divergence);
+    }
+
+    /** Sets the source of the lines that programs have printed, for the event log. It is asked with each update. */
+    public void setPrintedLines(Supplier<List<String>> source) {
+        printedLines = source;
+    }
+
+    /** Prepares for another run: removes the events of the run before. */
+    public void startRun() {
+        events.clear();
     }
 
     /** Sets the items of the time line that the charts mark; the same list as before changes nothing. */

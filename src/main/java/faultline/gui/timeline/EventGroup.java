@@ -15,7 +15,9 @@ public enum EventGroup {
     /** Contacts with obstacles. */
     COLLISIONS,
     /** Where the run differs from the reference run. */
-    GHOST;
+    GHOST,
+    /** What controller programs have printed. */
+    OUTPUT;
 
     /** Returns the group of an event. */
     public static EventGroup of(RunEvent event) {
@@ -26,6 +28,7 @@ public enum EventGroup {
             case COMMAND, REFUSAL -> COMMANDS;
             case COLLISION -> COLLISIONS;
             case DIVERGENCE -> GHOST;
+            case OUTPUT -> OUTPUT;
         };
     }
 }

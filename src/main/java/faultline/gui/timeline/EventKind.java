@@ -28,7 +28,9 @@ public enum EventKind {
     /** The robot touched an obstacle. */
     COLLISION("event.collision", Glyph.COLLISION, true),
     /** The run differs from the reference run. */
-    DIVERGENCE("event.ghost", Glyph.FORK, false);
+    DIVERGENCE("event.ghost", Glyph.FORK, false),
+    /** A controller program has printed a line. */
+    OUTPUT("event.output", Glyph.PROMPT, false);
 
     private final String key;
     private final Glyph mark;
@@ -49,7 +51,8 @@ public enum EventKind {
                 commandExecuted -> ofExecuted(commandExecuted.command()),
                 commandRefused -> REFUSAL,
                 collided -> COLLISION,
-                diverged -> DIVERGENCE));
+                diverged -> DIVERGENCE,
+                printed -> OUTPUT));
     }
 
     /** Returns the name of the kind in the user's language. */

@@ -37,6 +37,7 @@ public final class EventText {
                         collided.collision().obstacle(),
                         NumberText.format("%.3f", collided.collision().point().x()),
                         NumberText.format("%.3f", collided.collision().point().y())),
-                diverged -> Messages.get("event.diverged")));
+                diverged -> Messages.get("event.diverged"),
+                RunEvent.Printed::line));
     }
 }

@@ -175,6 +175,11 @@ public final class MainWindow extends JFrame {
         return poller;
     }
 
+    private void connectInstruments() {
+        mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
+        mainPanel.instruments().setPrintedLines(controllerActions::takePrintedLines);
+    }
+
     private FileWatch createFileWatch() {
         return new FileWatch(
                 workspace, fileController::onFileChangedOnDisk, fileNotifier::fileBroken, fileNotifier::fileDeleted);
@@ -265,7 +270,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void installViewListeners() {
-        mainPanel.instruments().chart().setMenuExtension(popup -> Menus.addChartItems(popup, actionRegistry));
+        connectInstruments();
         Menus.installContextMenu(
                 canvas,
                 actionRegistry,
@@ -386,6 +391,7 @@ public final class MainWindow extends JFrame {
 
         @Override
         public void sessionStarted() {
+            mainPanel.instruments().startRun();
             mainPanel.controlPanel().setChosenController(controllerActions.chosenText());
         }
 

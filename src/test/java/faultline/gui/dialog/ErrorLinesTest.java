@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -93,6 +94,40 @@ class ErrorLinesTest {
         lines.forNewController();
         write(old, "still driving");
         assertEquals(List.of("still driving"), shown);
+    }
+
+    private List<String> taken() {
+        return callOnEdt(lines::takeNew);
+    }
+
+    @Test
+    void theEventLogGetsTheLinesOfTheDrivingControllerAndOfGhosts() {
+        Consumer<String> old = lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        write(old, "first");
+        write(lines.forGhost(), "hello");
+        write(old, "second");
+        assertEquals(List.of("first", "Ghost: hello", "second"), taken());
+        assertEquals(List.of(), taken());
+        Consumer<String> next = lines.forNewController();
+        write(next, "imports");
+        write(old, "third");
+        assertEquals(List.of("third"), taken(), "the next controller does not drive yet");
+        runOnEdt(lines::controllerStarted);
+        write(old, "last words");
+        assertEquals(List.of("imports"), taken());
+    }
+
+    @Test
+    void ofAFloodOnlyTheNewestLinesWait() {
+        Consumer<String> controller = lines.forNewController();
+        runOnEdt(lines::controllerStarted);
+        for (int i = 0; i < 100_000; i++) {
+            controller.accept("line " + i);
+        }
+        List<String> taken = taken();
+        assertEquals(ErrorLines.MAX_WAITING, taken.size());
+        assertEquals("line 99999", taken.get(taken.size() - 1));
     }
 
     @Test

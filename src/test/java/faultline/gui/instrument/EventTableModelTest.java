@@ -31,15 +31,21 @@ class EventTableModelTest {
 
     private final EventRecorder recorder = new EventRecorder();
     private final EventTableModel events = new EventTableModel();
+    private long shownTick;
     private final JTable table = callOnEdt(() -> new JTable(events));
 
     private boolean recordEvent(long tick) {
         recorder.add(new RunEvent.CommandExecuted(tick, tick * 0.01, new Command.SwitchSensor("left", false)));
-        return update();
+        return updateTo(tick);
     }
 
     private boolean update() {
-        return callOnEdt(() -> events.update(recorder.view()));
+        return updateTo(shownTick);
+    }
+
+    private boolean updateTo(long tick) {
+        shownTick = tick;
+        return callOnEdt(() -> events.update(recorder.view(), tick));
     }
 
     private void choose(int row) {
@@ -104,7 +110,7 @@ class EventTableModelTest {
         for (int i = 0; i < events; i++) {
             recorder.add(new RunEvent.CommandExecuted(10L * i, i * 0.1, new Command.SwitchSensor("left", false)));
         }
-        update();
+        updateTo(10L * (events - 1));
     }
 
     private long tickOfChosen() {
@@ -126,7 +132,7 @@ class EventTableModelTest {
         List<String> notifications = notifications();
         EventRecorder other = new EventRecorder();
         other.add(new RunEvent.CommandExecuted(1, 0.01, new Command.SwitchSensor("left", true)));
-        assertTrue(callOnEdt(() -> events.update(other.view())));
+        assertTrue(callOnEdt(() -> events.update(other.view(), 1)));
         assertEquals(List.of("all"), notifications);
     }
 
@@ -177,11 +183,18 @@ class EventTableModelTest {
     void aFilteredTableKeepsItsRowsWhileTheLogForgets(int diverged) {
         TableRowSorter<EventTableModel> rows = new TableRowSorter<>(events);
         runOnEdt(() -> table.setRowSorter(rows));
-        fill(LOG_CAPACITY - 1);
+        fill(diverged);
+        printLines(100);
+        for (int i = diverged; i < LOG_CAPACITY - 1; i++) {
+            recordEvent(10L * i);
+        }
         diverge(10L * diverged);
         runOnEdt(() -> rows.setRowFilter(new OddRows()));
         for (int i = 0; i < 2 * CHUNK; i++) {
             recordEvent(100_000 + i);
+            if (i % 100 == 0) {
+                printLines(30);
+            }
             // The log forgets a chunk at the second event of each.
             if (i % CHUNK < 4 || i % 50 == 0) {
                 assertTheTableShowsTheOddRows();
@@ -211,6 +224,66 @@ class EventTableModelTest {
         private static boolean isShown(RunEvent event) {
             return event instanceof RunEvent.CommandExecuted && event.tick() / 10 % 2 == 1;
         }
+    }
+
+    private void printLines(int count) {
+        List<String> lines =
+                IntStream.range(0, count).mapToObj(i -> "line " + i).toList();
+        runOnEdt(() -> events.addLines(lines, shownTick * 0.01));
+    }
+
+    private List<String> sentences() {
+        return callOnEdt(() -> IntStream.range(0, events.getRowCount())
+                .mapToObj(row -> events.eventAt(row).tick() + " "
+                        + (events.eventAt(row) instanceof RunEvent.Printed printed
+                                ? printed.line()
+                                : events.getValueAt(row, EventTableModel.KIND_COLUMN)))
+                .toList());
+    }
+
+    @Test
+    void printedLinesAreListedWhenTheyArrive() {
+        recordEvent(1);
+        diverge(9);
+        printLines(2);
+        recordEvent(1);
+        updateTo(5);
+        printLines(1);
+        recordEvent(10);
+        assertEquals(
+                List.of("1 Command", "1 line 0", "1 line 1", "1 Command", "5 line 0", "9 Ghost", "10 Command"),
+                sentences());
+    }
+
+    @Test
+    void aRunThatIsMovedBackLosesTheLinesOfLaterTicks() {
+        recordEvent(1);
+        printLines(1);
+        updateTo(7);
+        printLines(2);
+        updateTo(4);
+        assertEquals(List.of("1 Command", "1 line 0"), sentences());
+        runOnEdt(events::clear);
+        assertEquals(List.of(), sentences());
+    }
+
+    @Test
+    void aFloodOfLinesHidesNoEvent() {
+        choose(fillAndReturnLast());
+        printLines(2 * EventTableModel.MAX_LINES);
+        recordEvent(1000);
+        List<String> notifications = notifications();
+        printLines(10);
+        assertEquals(List.of("+311..320", "-10..19"), notifications);
+        assertEquals(11 + EventTableModel.MAX_LINES, events.getRowCount());
+        assertEquals("line 310", ((RunEvent.Printed) events.eventAt(10)).line());
+        assertEquals(1000, events.eventAt(10 + EventTableModel.MAX_LINES - 10).tick());
+        assertEquals(90, tickOfChosen());
+    }
+
+    private int fillAndReturnLast() {
+        fill(10);
+        return 9;
     }
 
     @Test

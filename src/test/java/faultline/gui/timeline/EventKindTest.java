@@ -46,7 +46,8 @@ class EventKindTest {
             new RunEvent.CommandRefused(7, 0.07, OFF, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "left")),
             new RunEvent.Collided(
                     8, new Collision(new Vector2(1, 2), 0.08, 8, "desk", Map.of(), List.of(), MotorFaults.NONE)),
-            new RunEvent.Diverged(9, 0.09));
+            new RunEvent.Diverged(9, 0.09),
+            new RunEvent.Printed(9, 0.09, "connected"));
 
     @Test
     void everyClassOfEventsIsAmongTheKinds() {
@@ -88,7 +89,8 @@ class EventKindTest {
                         "Command",
                         "Refused!",
                         "Collision!",
-                        "Ghost"),
+                        "Ghost",
+                        "Output"),
                 EVENTS.stream()
                         .map(EventKind::of)
                         .map(kind -> kind.text() + (kind.isWarning() ? "!" : ""))

@@ -11,8 +11,11 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.IntStream;
 import javax.swing.JLabel;
+import javax.swing.JTable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -77,6 +80,34 @@ class ControllerNotesRobotTest {
 
     private void makeNewer() {
         assertTrue(script.toFile().setLastModified(script.toFile().lastModified() + 1000));
+    }
+
+    private List<String> events() {
+        return ComponentFinder.findAll(driver.window(), JTable.class)
+                .filter(table -> table.getColumnName(0).equals("Time, s"))
+                .flatMap(table -> IntStream.range(0, table.getRowCount())
+                        .mapToObj(row -> table.getValueAt(row, 1) + " " + table.getValueAt(row, 2)))
+                .toList();
+    }
+
+    /** The lines of the start are there, too, although the run did not yet exist. */
+    @Test
+    void theEventLogListsWhatTheControllerPrintsEvenInAFlood() throws IOException {
+        driver.robot().waitFor("the controller is there", () -> {
+            driver.chooseOnEdt("step");
+            return showsState("Failed");
+        });
+        Files.writeString(script, READY.replace("read hello", "read hello\necho loading >&2") + "exit 7\n");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
+        driver.robot().waitFor("the line of the start", () -> events().contains("Output loading"));
+        Files.writeString(script, READY + "seq 100000 >&2\necho done >&2\nexit 7\n");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
+        driver.robot().waitFor("the new run", () -> !events().contains("Output loading"));
+        driver.choose("step");
+        driver.robot().waitFor("the last line", () -> events().contains("Output done"));
+        assertEquals(
+                300,
+                events().stream().filter(event -> event.startsWith("Output")).count());
     }
 
     @Test
