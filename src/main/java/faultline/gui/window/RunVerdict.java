@@ -4,12 +4,14 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.external.ControllerProblem;
 import faultline.gui.text.ContactText;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.ExpectationText;
 import faultline.gui.text.FaultText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
+import faultline.io.Message;
 import faultline.robot.MotorFaults;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
@@ -49,7 +51,7 @@ record RunVerdict(boolean success, String title, String detail, long event) {
                     Messages.get(
                             "verdict.broken",
                             NumberText.format("%.3f", frame.snapshot().time())),
-                    ErrorMessages.capitalised(Messages.get(status.failure().get())),
+                    failureText(status.failure().get()),
                     frame.snapshot().tick()));
         }
         List<Expectation.Condition> required = scenario.expectation().conditions();
@@ -59,6 +61,16 @@ record RunVerdict(boolean success, String title, String detail, long event) {
             return Optional.of(atEnd(frame, required));
         }
         return collision.map(contact -> atCollision(contact, required));
+    }
+
+    /** Returns why a run has failed, with the last line only of those that the controller has printed. */
+    private static String failureText(Message reason) {
+        if (reason.template() != ControllerProblem.LAST_LINES) {
+            return ErrorMessages.capitalised(Messages.get(reason));
+        }
+        Message lastLine = ControllerProblem.LAST_LINE.with(
+                reason.arguments().get(0), reason.arguments().get(1));
+        return ErrorMessages.capitalised(Messages.get(lastLine)) + "\n" + Messages.get("verdict.printed");
     }
 
     private static boolean isEnd(SessionFrame frame, SimulationSetup setup) {

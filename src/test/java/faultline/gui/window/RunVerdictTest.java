@@ -13,7 +13,9 @@ import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.engine.session.SessionStatus;
+import faultline.external.ControllerProblem;
 import faultline.geometry.Vector2;
+import faultline.io.Message;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaults;
 import faultline.scenario.Scenario;
@@ -58,6 +60,21 @@ class RunVerdictTest {
                 Optional.empty(),
                 RunVerdict.of(frameAt(office.setup(), 300), RUNNING, office),
                 "at the end, but still running");
+    }
+
+    /** A traceback on one line could not be read, and the event log has its lines. */
+    @Test
+    void ofWhatAFailedControllerHasPrintedOnlyTheLastLineIsShown() throws ScenarioException {
+        Scenario office = Scenario.loadShipped("office.xml");
+        Message ended = ControllerProblem.ENDED.with(ControllerProblem.CONTROLLER.with("me.py"), "", 1, "");
+        Message reason = ControllerProblem.LAST_LINES.with(ended, "KeyError: 'left'", "Traceback: | File \"me.py\"");
+        SessionStatus failed = new SessionStatus(false, 1, 0, 0, null, reason);
+        RunVerdict verdict =
+                RunVerdict.of(frameAt(office.setup(), 10), failed, office).orElseThrow();
+        assertEquals(
+                "The controller \"me.py\" ended with exit code 1; its last line on standard error: KeyError: 'left'\n"
+                        + "The Events tab lists the lines before it.",
+                verdict.detail());
     }
 
     /** The window and the command line give the same verdict. */
