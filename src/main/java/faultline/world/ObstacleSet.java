@@ -6,11 +6,15 @@ import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
+import java.util.AbstractList;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.RandomAccess;
+import java.util.stream.IntStream;
 
 /** The obstacles and the enclosing wall of a running world; mutable, confined to the simulation thread. */
 final class ObstacleSet {
@@ -27,10 +31,47 @@ final class ObstacleSet {
 
     private long nextOrder;
     private long version;
-    /** The obstacles at {@link #listVersion}; valid only while none is moving. */
-    private List<Obstacle> list;
+    /** All obstacles in drawing order, those that move at earlier poses; null after an edit. */
+    private List<Obstacle> shared;
+    /** The indices of the moving obstacles in that list. */
+    private int[] movingPlaces;
 
-    private long listVersion = -1;
+    /**
+     * The obstacles of a world in drawing order, at one moment. All moments between two edits share the list of the
+     * still ones, because there may be very many. Immutable.
+     */
+    static final class PlacedList extends AbstractList<Obstacle> implements RandomAccess {
+
+        /** All obstacles; those that move are not at their present poses. */
+        private final List<Obstacle> shared;
+        /** The indices of the obstacles that move, ascending. */
+        private final int[] places;
+
+        private final Obstacle[] moving;
+
+        /** Creates a list from arrays that it does not copy. */
+        PlacedList(List<Obstacle> shared, int[] places, Obstacle[] moving) {
+            this.shared = shared;
+            this.places = places;
+            this.moving = moving;
+        }
+
+        /** Returns a list that cannot change, the same one if it is of this class. */
+        static List<Obstacle> copyOf(List<Obstacle> obstacles) {
+            return obstacles instanceof PlacedList ? obstacles : List.copyOf(obstacles);
+        }
+
+        @Override
+        public Obstacle get(int index) {
+            int mover = Arrays.binarySearch(places, index);
+            return mover >= 0 ? moving[mover] : shared.get(index);
+        }
+
+        @Override
+        public int size() {
+            return shared.size();
+        }
+    }
 
     ObstacleSet(WorldSpec spec) {
         this.spec = spec;
@@ -49,11 +90,15 @@ final class ObstacleSet {
         }
         index = new EditableIndex(shapes);
         startIndex = index.base();
-        if (moving.isEmpty()) {
-            // No obstacle has changed yet, so the first snapshot needs no list of its own.
-            list = spec.obstacles();
-            listVersion = version;
-        }
+        // No obstacle has changed yet, so the first snapshot needs no list of its own.
+        share(spec.obstacles());
+    }
+
+    private void share(List<Obstacle> list) {
+        shared = list;
+        movingPlaces = IntStream.range(0, list.size())
+                .filter(place -> list.get(place).isMoving())
+                .toArray();
     }
 
     private static PlacedObstacle create(Obstacle obstacle, long order) {
@@ -95,19 +140,17 @@ final class ObstacleSet {
 
     /** Returns the current obstacles in drawing order; the same list as before if none has changed or moves. */
     List<Obstacle> obstacles() {
-        if (!moving.isEmpty()) {
-            return listObstacles();
-        }
-        if (listVersion != version) {
+        if (shared == null) {
             // An immutable list, which a snapshot does not copy again.
-            list = List.copyOf(listObstacles());
-            listVersion = version;
+            share(List.copyOf(
+                    obstacles.values().stream().map(PlacedObstacle::obstacle).toList()));
         }
-        return list;
-    }
-
-    private List<Obstacle> listObstacles() {
-        return obstacles.values().stream().map(PlacedObstacle::obstacle).toList();
+        return moving.isEmpty()
+                ? shared
+                : new PlacedList(
+                        shared,
+                        movingPlaces,
+                        moving.stream().map(MovingObstacle::obstacle).toArray(Obstacle[]::new));
     }
 
     /** Returns the obstacle with an id. */
@@ -160,6 +203,7 @@ final class ObstacleSet {
 
     private void replace(PlacedObstacle old, PlacedObstacle placed) {
         obstacles.put(placed.id(), placed);
+        shared = null;
         if (old instanceof MovingObstacle before && placed instanceof MovingObstacle after) {
             moving.set(placeOf(before), after);
             before.markRemoved();
@@ -178,6 +222,7 @@ final class ObstacleSet {
 
     void remove(PlacedObstacle obstacle) {
         obstacles.remove(obstacle.id());
+        shared = null;
         takeOut(obstacle);
     }
 

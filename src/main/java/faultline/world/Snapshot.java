@@ -60,7 +60,7 @@ public record Snapshot(
      */
     public Snapshot {
         sensors = List.copyOf(sensors);
-        obstacles = List.copyOf(obstacles);
+        obstacles = ObstacleSet.PlacedList.copyOf(obstacles);
         contacts = List.copyOf(contacts);
         collisions = List.copyOf(collisions);
     }
