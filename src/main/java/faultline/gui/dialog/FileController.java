@@ -10,7 +10,9 @@ import faultline.gui.document.FileNames;
 import faultline.gui.document.Leaving;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
+import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceTask;
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.properties.ImportForm;
 import faultline.gui.text.Messages;
@@ -37,6 +39,9 @@ public final class FileController {
     private final Component parent;
     private final FileDialogs fileDialogs;
     private final BooleanSupplier commitPendingEdit;
+    /** The file that was opened last without a question, such as that of the command line; null if none was. */
+    private Path requestedFile;
+
     private BiConsumer<Leaving, Runnable> leaveQuestion = (leaving, action) -> action.run();
 
     /**
@@ -90,11 +95,13 @@ public final class FileController {
 
     /** Opens a file and discards unsaved changes. */
     public void openWithoutAsking(Path file) {
+        requestedFile = file;
         documentStore.open(file);
     }
 
     /** Opens a file with a given reader, and discards unsaved changes. */
     public void openWithoutAsking(Path file, Callable<Scenario> reader) {
+        requestedFile = file;
         documentStore.open(file, reader);
     }
 
@@ -230,12 +237,16 @@ public final class FileController {
     }
 
     /**
-     * Offers to recover edits after a crash, and opens them on request. If the user closes the question, or the edits
-     * cannot be opened, they are offered again at the next start.
+     * Offers to recover edits after a crash, and opens them on request. If the user decides later or closes the
+     * question, or the edits cannot be opened, they are offered again at the next start.
      */
     public void offerRecovery(RecoveryStore.RecoveredFile recovered, Consumer<RecoveryPrompt.Answer> onAnswer) {
         int answer = fileDialogs.showOptions(
-                "recover", Messages.get("recover.question", recovered.name()), "recover.recover", "recover.discard");
+                "recover",
+                RecoveryQuestion.text(recovered, shownFile().orElse(null)),
+                "recover.recover",
+                "recover.discard",
+                "recover.later");
         if (answer == 0) {
             documentStore.recover(
                     recovered,
@@ -244,6 +255,15 @@ public final class FileController {
         } else {
             onAnswer.accept(answer == 1 ? RecoveryPrompt.Answer.DISCARD : RecoveryPrompt.Answer.LATER);
         }
+    }
+
+    /** Returns the file that the window shows or is asked to open. */
+    private Optional<Path> shownFile() {
+        return workspace
+                .task()
+                .filter(task -> task.kind() == TaskKind.OPEN && task.name().equals(requestedFile))
+                .map(WorkspaceTask::name)
+                .or(workspace::file);
     }
 
     private void save() {

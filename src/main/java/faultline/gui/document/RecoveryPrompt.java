@@ -24,7 +24,7 @@ public final class RecoveryPrompt {
         RECOVER,
         /** The edits are discarded. */
         DISCARD,
-        /** The edits are offered again at the next start: the question was closed. */
+        /** The edits are offered again at the next start: the user has chosen so, or closed the question. */
         LATER,
         /** The edits could not be opened. They and all others are offered at the next start. */
         NOT_OPENED

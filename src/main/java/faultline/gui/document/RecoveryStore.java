@@ -52,10 +52,11 @@ public final class RecoveryStore {
     private FileChannel claim;
 
     /**
-     * Unsaved edits that a crash has left: the file that holds them; the file that was edited, null for a scenario
-     * without a file; the scenario that was edited, null if it is not known; and the edited scenario.
+     * Unsaved edits that a crash has left: the file that holds them, and when it was written; the file that was edited,
+     * null for a scenario without a file; the scenario that was edited, null if it is not known; and the edited
+     * scenario.
      */
-    public record RecoveredFile(Path recoveryFile, Path originFile, Scenario base, Scenario scenario) {
+    public record RecoveredFile(Path recoveryFile, Instant written, Path originFile, Scenario base, Scenario scenario) {
 
         /** Returns the name of the file that was edited, or that of a scenario without a file. */
         public String name() {
@@ -296,9 +297,13 @@ public final class RecoveryStore {
             Path origin = readOrigin(originFile(file)).orElse(null);
             Path base = sibling(file, BASE_SUFFIX);
             // Earlier versions did not keep what the file held.
-            return Optional.of(
-                    new RecoveredFile(file, origin, loadIfReadable(Files.exists(base) ? base : origin), edited));
-        } catch (ScenarioException unreadable) {
+            return Optional.of(new RecoveredFile(
+                    file,
+                    Files.getLastModifiedTime(file).toInstant(),
+                    origin,
+                    loadIfReadable(Files.exists(base) ? base : origin),
+                    edited));
+        } catch (ScenarioException | IOException unreadable) {
             return Optional.empty();
         }
     }

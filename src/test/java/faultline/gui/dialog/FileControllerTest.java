@@ -9,14 +9,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.document.RecoveryPrompt;
+import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -49,6 +53,9 @@ class FileControllerTest {
 
     /** What was asked, in order. */
     private final List<String> questions = new CopyOnWriteArrayList<>();
+
+    /** The text of the last question. */
+    private volatile String question;
 
     /** The file that was last suggested for a save. */
     private volatile Path suggested;
@@ -269,6 +276,32 @@ class FileControllerTest {
         assertEquals(Path.of("scenario-journal.xml"), suggested);
     }
 
+    /** The file of the command line may still be read when the question is shown. */
+    @Test
+    void theRecoveryQuestionNamesTheFileThatIsBeingOpened() throws IOException, ScenarioException {
+        answers = Set.of("recover.later");
+        Scenario yard = Scenario.loadShipped("yard.xml");
+        CountDownLatch read = new CountDownLatch(1);
+        runOnEdt(() -> files.openWithoutAsking(folder.resolve("room.xml"), () -> {
+            await(read);
+            return yard;
+        }));
+        assertTrue(recoveryQuestion(yard).endsWith(" instead of room.xml."), recoveryQuestion(yard));
+        read.countDown();
+        Await.until("open", () -> workspace.file().isPresent());
+        assertTrue(recoveryQuestion(yard).endsWith(" instead of room.xml."), recoveryQuestion(yard));
+        runOnEdt(() -> files.openShippedWithoutAsking("office.xml"));
+        assertFalse(recoveryQuestion(yard).contains("office.xml"), recoveryQuestion(yard));
+    }
+
+    /** Returns the question about edits of a scenario without a file, which is to be decided later. */
+    private String recoveryQuestion(Scenario edits) {
+        runOnEdt(() -> files.offerRecovery(
+                new RecoveryStore.RecoveredFile(folder.resolve("1-0.xml"), Instant.EPOCH, null, null, edits),
+                answer -> assertEquals(RecoveryPrompt.Answer.LATER, answer)));
+        return question;
+    }
+
     /** Chooses the office, and one of the answers. */
     private final class AnsweringDialogs extends FileDialogs {
 
@@ -289,8 +322,9 @@ class FileControllerTest {
         }
 
         @Override
-        int showOptions(String key, String question, String... answerKeys) {
+        int showOptions(String key, String text, String... answerKeys) {
             questions.add(key);
+            question = text;
             return IntStream.range(0, answerKeys.length)
                     .filter(i -> answers.contains(answerKeys[i]))
                     .findFirst()

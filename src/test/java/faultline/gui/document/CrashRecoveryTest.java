@@ -88,6 +88,7 @@ class CrashRecoveryTest {
                 new RecoveryStore(folder.resolve("kept")).findOrphan(Set.of()).orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
         assertEquals(edited, recovered.scenario());
+        assertEquals(Files.getLastModifiedTime(recovered.recoveryFile()).toInstant(), recovered.written());
         runOnEdt(() -> documentStore.open(file));
         Await.until("the file without the edits", () -> !workspace.scenario().equals(Optional.of(edited)));
         runOnEdt(() -> documentStore.recover(recovered, () -> {}, () -> {}));

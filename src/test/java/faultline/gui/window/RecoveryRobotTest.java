@@ -110,6 +110,18 @@ class RecoveryRobotTest {
     }
 
     @Test
+    void editsAreOfferedAgainIfTheUserDecidesLater() throws IOException {
+        crash();
+        JDialog dialog = driver.dialog("Recover changes");
+        driver.clickButton("Recover changes", "Decide later");
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertTrue(Files.exists(recoveryFolder));
+        runOnEdt(() -> driver.window().enableRecovery(RecoveryStore.forCurrentUser(), () -> {}));
+        driver.clickButton("Recover changes", "Recover");
+        driver.waitForTitle("office.xml*");
+    }
+
+    @Test
     void aClosedRecoveryPromptIsShownAgain() throws IOException {
         crash();
         JDialog dialog = driver.dialog("Recover changes");
