@@ -7,6 +7,7 @@ import faultline.campaign.report.Survival;
 import faultline.campaign.run.ResultColumns;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -113,9 +114,27 @@ final class BatchResults {
 
     /** Returns a row of the table of runs. */
     List<ResultCell> runRow(int row) {
-        return shownColumns.stream()
-                .map(column -> ResultCell.of(column, value(row, column)))
-                .toList();
+        return new ShownRow(rows.get(row));
+    }
+
+    /** A row of the table of runs, which makes its cells when they are asked for, because there may be very many. */
+    private final class ShownRow extends AbstractList<ResultCell> {
+        private final List<String> values;
+
+        ShownRow(List<String> values) {
+            this.values = values;
+        }
+
+        @Override
+        public ResultCell get(int index) {
+            String column = shownColumns.get(index);
+            return ResultCell.of(column, values.get(columns.get(column)));
+        }
+
+        @Override
+        public int size() {
+            return shownColumns.size();
+        }
     }
 
     /**

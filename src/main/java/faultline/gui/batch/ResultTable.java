@@ -13,17 +13,21 @@ import java.awt.event.HierarchyEvent;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import javax.swing.RowFilter;
+import javax.swing.RowSorter;
 import javax.swing.SwingConstants;
 import javax.swing.border.Border;
 import javax.swing.table.AbstractTableModel;
@@ -64,7 +68,10 @@ final class ResultTable extends RowTable {
     /** The rows of a table. */
     private static final class Model extends AbstractTableModel {
         private final List<String> columns;
+        /** The rows, which may make a cell each time when it is asked for. */
         private final List<List<ResultCell>> rows = new ArrayList<>();
+        /** The cells of the columns by which the rows are sorted, each of which is compared many times. */
+        private final Map<Integer, List<ResultCell>> sorted = new HashMap<>();
         /** The columns that have a value. */
         private final BitSet filled = new BitSet();
         /** The columns that have a number. */
@@ -76,7 +83,35 @@ final class ResultTable extends RowTable {
             this.columns = List.copyOf(columns);
         }
 
-        void examine(List<ResultCell> row) {
+        void sortBy(Set<Integer> sortColumns) {
+            sorted.keySet().retainAll(sortColumns);
+            for (int column : sortColumns) {
+                sorted.computeIfAbsent(column, added -> new ArrayList<>(cells(rows, added)));
+            }
+        }
+
+        private static List<ResultCell> cells(List<List<ResultCell>> rows, int column) {
+            return rows.stream().map(row -> row.get(column)).toList();
+        }
+
+        void add(List<List<ResultCell>> added) {
+            added.forEach(this::examine);
+            rows.addAll(added);
+            sorted.forEach((column, cells) -> cells.addAll(cells(added, column)));
+        }
+
+        void set(int index, List<ResultCell> row) {
+            examine(row);
+            rows.set(index, row);
+            sorted.forEach((column, cells) -> cells.set(index, row.get(column)));
+        }
+
+        void keep(int count) {
+            rows.subList(count, rows.size()).clear();
+            sorted.values().forEach(cells -> cells.subList(count, cells.size()).clear());
+        }
+
+        private void examine(List<ResultCell> row) {
             for (int column = 0; column < row.size(); column++) {
                 ResultCell cell = row.get(column);
                 if (cell.isNumber()) {
@@ -112,7 +147,8 @@ final class ResultTable extends RowTable {
 
         @Override
         public Object getValueAt(int row, int column) {
-            return rows.get(row).get(column);
+            List<ResultCell> known = sorted.get(column);
+            return known == null ? rows.get(row).get(column) : known.get(row);
         }
     }
 
@@ -125,6 +161,9 @@ final class ResultTable extends RowTable {
         model = (Model) getModel();
         sorter = new TableRowSorter<>(model);
         sorter.setSortsOnUpdates(true);
+        // This is called before the rows are sorted.
+        sorter.addRowSorterListener(event -> model.sortBy(
+                sorter.getSortKeys().stream().map(RowSorter.SortKey::getColumn).collect(Collectors.toSet())));
         setRowSorter(sorter);
         UiText.tip(UiText.name(this, key), key + ".tip");
         setDefaultRenderer(ResultCell.class, new Renderer());
@@ -221,8 +260,7 @@ final class ResultTable extends RowTable {
     void addRows(List<List<ResultCell>> rows) {
         if (!rows.isEmpty()) {
             int first = model.rows.size();
-            rows.forEach(model::examine);
-            model.rows.addAll(rows);
+            model.add(rows);
             showFilledColumns();
             model.fireTableRowsInserted(first, model.rows.size() - 1);
             if (first < MAX_SAMPLED_ROWS) {
@@ -256,10 +294,8 @@ final class ResultTable extends RowTable {
     void setRows(int first, List<List<ResultCell>> rows) {
         int known = Math.min(rows.size(), allRowCount() - first);
         if (known > 0) {
-            List<List<ResultCell>> replaced = rows.subList(0, known);
-            replaced.forEach(model::examine);
             for (int i = 0; i < known; i++) {
-                model.rows.set(first + i, replaced.get(i));
+                model.set(first + i, rows.get(i));
             }
             model.fireTableRowsUpdated(first, first + known - 1);
         }
@@ -270,7 +306,7 @@ final class ResultTable extends RowTable {
     void keepRows(int count) {
         int before = allRowCount();
         if (count < before) {
-            model.rows.subList(count, before).clear();
+            model.keep(count);
             model.fireTableRowsDeleted(count, before - 1);
         }
     }

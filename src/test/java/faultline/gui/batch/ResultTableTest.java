@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -117,6 +118,55 @@ class ResultTableTest {
 
     private static List<ResultCell> row(String name, String number) {
         return List.of(ResultCell.ofText(name), ResultCell.of("coverage", number));
+    }
+
+    /** A row that counts how often it is asked for a cell. */
+    private static final class CountingRow extends AbstractList<ResultCell> {
+        private final int number;
+        private int made;
+
+        CountingRow(int number) {
+            this.number = number;
+        }
+
+        @Override
+        public ResultCell get(int index) {
+            made++;
+            return index == 0 ? ResultCell.ofText("r" + number) : ResultCell.of("coverage", "0." + number);
+        }
+
+        @Override
+        public int size() {
+            return 2;
+        }
+    }
+
+    @Test
+    void sortingMakesACellOfEachRowOnceAlsoOfRowsThatAreAddedOrReplaced() {
+        List<CountingRow> rows = IntStream.range(1000, 3000)
+                .map(i -> i * 7919 % 10_007 + 10_000)
+                .mapToObj(CountingRow::new)
+                .toList();
+        runOnEdt(() -> {
+            table.setRows(List.copyOf(rows.subList(0, 1000)));
+            table.getRowSorter().toggleSortOrder(1);
+            table.addRows(List.copyOf(rows.subList(1000, 2000)));
+            table.setRows(500, List.copyOf(rows.subList(500, 600)));
+        });
+        // Two cells when a row is examined, which some are twice, one for the order, and those of the widths.
+        int made = rows.stream().mapToInt(row -> row.made).sum();
+        assertTrue(made < 7000, made + " cells");
+        List<String> numbers = column(1);
+        assertEquals(numbers.stream().sorted().toList(), numbers);
+        runOnEdt(() -> {
+            table.keepRows(700);
+            table.addRows(List.copyOf(rows.subList(1500, 2000)));
+        });
+        assertEquals(1200, column(1).size());
+        assertEquals(column(1).stream().sorted().toList(), column(1));
+        assertEquals(
+                column(0).stream().map(name -> name.substring(1)).toList(),
+                column(1).stream().map(number -> number.substring(2)).toList());
     }
 
     private int headingAlignment(int column) {

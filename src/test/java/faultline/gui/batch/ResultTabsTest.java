@@ -250,6 +250,7 @@ class ResultTabsTest {
                 shown.add(withNumber(row, i));
             }
             shown.update(run.cells());
+            table(1).getRowSorter().toggleSortOrder(2);
         });
         runOnEdt(() -> {});
         runOnEdt(() -> {
