@@ -20,13 +20,16 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
     /** The shortest time between two pictures, hundredths of a second. */
     private static final int DELAY = 10;
 
-    private final AnimatedGifWriter gif;
+    private final OutputStream out;
+    /** Null before the first picture. */
+    private AnimatedGifWriter gif;
+
     private final FilmRenderer renderer = new FilmRenderer();
     private final FilmBounds bounds = new FilmBounds();
 
     /** Creates a recorder; the stream is not closed. */
-    FilmRecorder(OutputStream out) throws IOException {
-        gif = new AnimatedGifWriter(out, Palette.LIGHT);
+    FilmRecorder(OutputStream out) {
+        this.out = out;
     }
 
     @Override
@@ -38,6 +41,10 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
         }
         Frame frame = simulation.frame();
         try {
+            if (gif == null) {
+                gif = new AnimatedGifWriter(
+                        out, Palette.LIGHT, simulation.setup().robot().sensors().size());
+            }
             Rectangle2D shown = bounds.next(FrameRenderer.bounds(frame.snapshot()));
             int height = FrameRenderer.heightFor(frame, WIDTH);
             gif.addFrame(renderer.render(FrameRenderer.request(frame, shown, Palette.LIGHT, WIDTH, height)), delay);
@@ -48,6 +55,8 @@ final class FilmRecorder implements TickObserver, AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        gif.close();
+        if (gif != null) {
+            gif.close();
+        }
     }
 }

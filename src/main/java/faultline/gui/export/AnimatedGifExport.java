@@ -25,7 +25,10 @@ record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario
     @Override
     public void write(OutputStream out, TaskProgress progress) throws IOException {
         FilmRenderer renderer = new FilmRenderer();
-        try (AnimatedGifWriter gif = new AnimatedGifWriter(out, renderRequest.palette())) {
+        try (AnimatedGifWriter gif = new AnimatedGifWriter(
+                out,
+                renderRequest.palette(),
+                renderRequest.frame().snapshot().robot().sensors().size())) {
             HeadlessReplay.run(run, simulation -> addFrame(gif, renderer, simulation), progress);
         }
     }

@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 final class ColourQuantizer {
 
     private static final int MAX_COLOURS = 256;
-    /** The sensors whose colours are always there; those of more sensors may be among the frequent ones. */
+    /** The number of sensors whose colours are there for each robot, so that most films have the same colours. */
     private static final int USUAL_SENSORS = 10;
 
     private static final int CELL_COUNT = 1 << 15;
@@ -39,10 +39,10 @@ final class ColourQuantizer {
         }
     }
 
-    /** Returns a quantizer for pictures that resemble a sample. */
-    static ColourQuantizer of(Palette palette, BufferedImage sample) {
+    /** Returns a quantizer for pictures that resemble a sample, of a robot with a number of sensors. */
+    static ColourQuantizer of(Palette palette, int sensors, BufferedImage sample) {
         Set<Integer> chosen = new LinkedHashSet<>();
-        palette.colours(USUAL_SENSORS).forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
+        palette.colours(Math.max(USUAL_SENSORS, sensors)).forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
         cubeColours().forEach(chosen::add);
         frequentColours(sample).takeWhile(colour -> chosen.size() < MAX_COLOURS).forEach(chosen::add);
         return new ColourQuantizer(chosen.stream().mapToInt(Integer::intValue).toArray());

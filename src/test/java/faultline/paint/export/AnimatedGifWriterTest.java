@@ -42,7 +42,7 @@ class AnimatedGifWriterTest {
 
     private static byte[] write(List<BufferedImage> pictures) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (AnimatedGifWriter film = new AnimatedGifWriter(bytes, Palette.LIGHT)) {
+        try (AnimatedGifWriter film = new AnimatedGifWriter(bytes, Palette.LIGHT, 8)) {
             for (int i = 0; i < pictures.size(); i++) {
                 film.addFrame(pictures.get(i), 5 + i);
             }

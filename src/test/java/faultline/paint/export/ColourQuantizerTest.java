@@ -47,7 +47,7 @@ class ColourQuantizerTest {
 
     @Test
     void theColoursOfThePaletteAndTheMostFrequentOneStayAsTheyAre() {
-        ColourQuantizer quantizer = ColourQuantizer.of(Palette.LIGHT, manyColours());
+        ColourQuantizer quantizer = ColourQuantizer.of(Palette.LIGHT, 8, manyColours());
         int[] kept = Palette.LIGHT.colours(10).stream()
                 .mapToInt(colour -> colour.getRGB() & 0xFFFFFF)
                 .toArray();
@@ -61,17 +61,31 @@ class ColourQuantizerTest {
         assertEquals(COMMON, reduced[all.length - 1]);
     }
 
+    /** Also of those that are off in the first picture. */
+    @Test
+    void theColoursOfManySensorsStayAsTheyAre() {
+        int[] kept = Palette.LIGHT.colours(64).stream()
+                .mapToInt(colour -> colour.getRGB() & 0xFFFFFF)
+                .toArray();
+        int[] reduced =
+                colours(ColourQuantizer.of(Palette.LIGHT, 64, manyColours()).quantize(picture(kept)));
+        for (int i = 0; i < kept.length; i++) {
+            assertTrue(sameCell(kept[i], reduced[i]), Integer.toHexString(kept[i]));
+        }
+    }
+
     @Test
     void frequentColoursThatDifferByEightInOneChannelStayApart() {
         int[] pairs = {0x207050, 0x287050, 0x702050, 0x702850, 0x705020, 0x705028};
         BufferedImage picture = picture(pairs);
         assertArrayEquals(
-                pairs, colours(ColourQuantizer.of(Palette.LIGHT, picture).quantize(picture)));
+                pairs, colours(ColourQuantizer.of(Palette.LIGHT, 8, picture).quantize(picture)));
     }
 
     @Test
     void allColoursAreUsedIfThePictureHasMore() {
-        BufferedImage reduced = ColourQuantizer.of(Palette.LIGHT, manyColours()).quantize(manyColours());
+        BufferedImage reduced =
+                ColourQuantizer.of(Palette.LIGHT, 8, manyColours()).quantize(manyColours());
         assertEquals(256, ((IndexColorModel) reduced.getColorModel()).getMapSize());
     }
 
@@ -79,12 +93,12 @@ class ColourQuantizerTest {
     void aColourThatIsNotAmongThemBecomesTheNearest() {
         BufferedImage sample = picture(COMMON);
         IndexColorModel model = (IndexColorModel)
-                ColourQuantizer.of(Palette.LIGHT, sample).quantize(sample).getColorModel();
+                ColourQuantizer.of(Palette.LIGHT, 8, sample).quantize(sample).getColorModel();
         List<Integer> chosen = IntStream.range(0, model.getMapSize())
                 .mapToObj(index -> model.getRGB(index) & 0xFFFFFF)
                 .toList();
         for (int colour : new Random(2).ints(300, 0, 1 << 24).toArray()) {
-            int given = colours(ColourQuantizer.of(Palette.LIGHT, sample).quantize(picture(colour)))[0];
+            int given = colours(ColourQuantizer.of(Palette.LIGHT, 8, sample).quantize(picture(colour)))[0];
             int least = chosen.stream()
                     .mapToInt(each -> distance(each, colour))
                     .min()

@@ -93,7 +93,7 @@ public final class ReadmePictures {
     private static void writeFilm(OutputStream out) throws IOException, ScenarioException {
         Simulation run =
                 new Simulation(Scenario.loadShipped("front-sensor-dies.xml").setup(), ControllerMode.DIRECT);
-        try (AnimatedGifWriter film = new AnimatedGifWriter(out, Palette.LIGHT)) {
+        try (AnimatedGifWriter film = new AnimatedGifWriter(out, Palette.LIGHT, 8)) {
             while (run.time() < 33) {
                 run.tick();
                 int delay = AnimatedGifWriter.delayOf(run.ticks(), run.setup().dt(), FILM_DELAY);
