@@ -1,6 +1,7 @@
 package faultline.benchmark;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
@@ -50,6 +51,20 @@ final class BenchmarkRooms {
                 .withTick(DT)
                 .withSeed(SEED)
                 .withDuration(3600);
+    }
+
+    /**
+     * Ends a run.
+     *
+     * @param simulation the run
+     * @throws IllegalStateException if the robot has collided: it stands still, and its ticks would say nothing
+     */
+    static void close(Simulation simulation) {
+        boolean collided = simulation.collision().isPresent();
+        simulation.close();
+        if (collided) {
+            throw new IllegalStateException("the robot collided: the figures are worthless");
+        }
     }
 
     private static RobotSpec robot() {

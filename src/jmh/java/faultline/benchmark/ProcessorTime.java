@@ -43,15 +43,19 @@ public final class ProcessorTime {
             SimulationSetup setup = BenchmarkRooms.of(segments);
             checkProbe(setup);
             Action probe = new Action(segments + " segments, bare probe", new BareProbe(setup));
-            Action tick = new Action(segments + " segments", run(setup)::tick);
+            Simulation run = run(setup);
+            Action tick = new Action(segments + " segments", run::tick);
             Action alone = new Action(segments + " segments, the world alone", worldAlone(setup));
             print(TICKS, probe, tick, alone);
+            BenchmarkRooms.close(run);
             System.out.println(String.format(
                     Locale.ROOT, "%-40s %10.2f", segments + " segments, tick : probe", tick.time() / probe.time()));
         }
         for (RoomVariant room : RoomVariant.values()) {
             int ticks = room == RoomVariant.MOVERS_1000 ? TICKS / 40 : TICKS / 4;
-            print(ticks, new Action(room.toString(), run(room.setup())::tick));
+            Simulation run = run(room.setup());
+            print(ticks, new Action(room.toString(), run::tick));
+            BenchmarkRooms.close(run);
         }
         SimulationSetup large = BenchmarkRooms.of(INDEXED_SEGMENTS);
         print(1, new Action(INDEXED_SEGMENTS + " segments, made", () -> makeWorld(large)));
@@ -92,7 +96,9 @@ public final class ProcessorTime {
         for (int tick = 0; tick < ROOM_TICKS; tick++) {
             simulation.tick();
         }
-        return (THREADS.getCurrentThreadCpuTime() - time) / 1e3 / ROOM_TICKS;
+        long end = THREADS.getCurrentThreadCpuTime();
+        BenchmarkRooms.close(simulation);
+        return (end - time) / 1e3 / ROOM_TICKS;
     }
 
     private static World makeWorld(SimulationSetup setup) {

@@ -41,7 +41,7 @@ public class VariantBenchmark {
     /** Ends the run. */
     @TearDown(Level.Trial)
     public void close() {
-        simulation.close();
+        BenchmarkRooms.close(simulation);
     }
 
     /** One tick. */

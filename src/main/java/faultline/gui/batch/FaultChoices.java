@@ -29,6 +29,7 @@ import javax.swing.JTextField;
 final class FaultChoices extends JPanel {
 
     private static final int VALUE_COLUMNS = 9;
+    /** The ratio of the greatest number to the default one, and of that to the least. */
     private static final double SPREAD = 2;
     /** The cells of a kind: its check box, its field and its unit. */
     private static final int CELLS = 3;

@@ -11,9 +11,12 @@ import java.util.stream.IntStream;
 /** Copies obstacles. */
 public final class ObstacleCopies {
 
+    /** The usual displacement, metres. */
     private static final Vector2 OFFSET = new Vector2(0.2, -0.2);
+    /** The displacements that are tried in turn, and then their multiples, metres. */
     private static final List<Vector2> OFFSETS =
             List.of(OFFSET, new Vector2(-0.2, -0.2), new Vector2(0.2, 0.2), new Vector2(-0.2, 0.2));
+    /** The greatest multiple of a displacement. */
     private static final int MAX_STEPS = 20;
     /** Centres at less than this distance look the same, metres. */
     private static final double SAME = 0.01;

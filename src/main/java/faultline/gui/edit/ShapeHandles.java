@@ -16,6 +16,7 @@ import java.util.function.Function;
  */
 public final class ShapeHandles {
 
+    /** The minimum width and height of a shape, metres. */
     private static final double MIN_SIZE = 0.01;
     /** The corners and the midpoints of the sides of a rectangle, in half its size from its centre. */
     private static final List<Vector2> SIDES = List.of(

@@ -22,11 +22,16 @@ public enum ShapePreset {
     /** Two bars at a right angle. */
     ANGLE(0.6, 0.6, false);
 
+    /** The minimum width and height of a drawn shape, metres. */
     private static final double MIN_SIZE = 0.02;
+    /** The width of each bar of an angle, as a share of the size across the bar. */
     private static final double BAR_WIDTH = 0.4;
 
+    /** The default width, metres. */
     private final double width;
+    /** The default height, metres. */
     private final double height;
+
     private final boolean regular;
 
     ShapePreset(double width, double height, boolean regular) {
@@ -46,8 +51,8 @@ public enum ShapePreset {
     }
 
     /**
-     * Returns an obstacle between two opposite corners of its bounds, metres, at least 2 cm wide and high; a regular
-     * shape has the longer side for both.
+     * Returns an obstacle in the rectangle between two points, metres, which is at least 2 cm wide and high. A regular
+     * shape is in a square with the longer side, whose top and bottom a hexagon does not reach.
      */
     public Obstacle createBetween(String id, Vector2 from, Vector2 to) {
         double across = Math.max(MIN_SIZE, Math.abs(to.x() - from.x()));

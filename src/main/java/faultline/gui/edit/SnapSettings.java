@@ -5,7 +5,9 @@ import faultline.geometry.Vector2;
 /** The steps that positions and lengths, metres, and angles, radians, of a drag are rounded to; 0 for none. */
 public record SnapSettings(double gridStep, double angleStep) {
 
+    /** The step of lengths without a grid, metres. */
     private static final double MIN_STEP = 1e-4;
+
     private static final double MIN_DEGREES = 0.1;
 
     /** No snapping. */

@@ -44,7 +44,7 @@ import javax.print.PrintService;
 public final class ExportController implements WorkspaceListener {
 
     /** Pixels of an image per pixel of the canvas, in each direction. */
-    private static final double RESOLUTION_SCALE = 2;
+    private static final int RESOLUTION_SCALE = 2;
 
     private static final long NO_RECORDING = -1;
 
@@ -152,7 +152,7 @@ public final class ExportController implements WorkspaceListener {
 
     private FileExport toPng(StripContent content) {
         Theme chosen = theme;
-        return (out, progress) -> PngImage.write(content.toImage(chosen, (int) RESOLUTION_SCALE), out);
+        return (out, progress) -> PngImage.write(content.toImage(chosen, RESOLUTION_SCALE), out);
     }
 
     private FileExport toSvg(StripContent content) {

@@ -17,7 +17,6 @@ public final class ChartPainter {
 
     private static final double TITLE_SIZE = 13;
     private static final double LABEL_SIZE = 12;
-    private static final double TICK_SIZE = 11;
     private static final double LEFT_MARGIN = 62;
     private static final double MIN_RIGHT_MARGIN = 16;
     private static final double BOTTOM_MARGIN = 46;
@@ -60,7 +59,7 @@ public final class ChartPainter {
 
     /** Returns the width that the names of rows need beside the plot, pixels. */
     public static double leftMargin(List<String> rows) {
-        TextStyle text = TextStyle.plain(TICK_SIZE, Color.BLACK);
+        TextStyle text = TextStyle.plain(ChartStyle.TEXT_SIZE, Color.BLACK);
         return 2 * LABEL_DISTANCE
                 + rows.stream().mapToDouble(text::estimateWidth).max().orElse(0);
     }
@@ -69,7 +68,7 @@ public final class ChartPainter {
     private static double rightMargin(Axis axis, double width) {
         List<Double> ticks = axis.ticks();
         double last = ticks.get(ticks.size() - 1);
-        double half = TextStyle.plain(TICK_SIZE, Color.BLACK).estimateWidth(Axis.formatTick(last)) / 2;
+        double half = TextStyle.plain(ChartStyle.TEXT_SIZE, Color.BLACK).estimateWidth(Axis.formatTick(last)) / 2;
         double beforeEnd = (1 - axis.fractionOf(last)) * (width - MIN_RIGHT_MARGIN);
         return Math.max(MIN_RIGHT_MARGIN, half - beforeEnd);
     }
@@ -93,8 +92,8 @@ public final class ChartPainter {
         surface.draw(
                 Shapes.polygon(PlotPainter.corners(plotArea, 0, 0, 1, 1)),
                 LineStyle.solid(style.palette().text(), 1));
-        painter.paintTicks(
-                new TickStyle(TextStyle.plain(TICK_SIZE, style.palette().text()), MARK_LENGTH, LABEL_DISTANCE, 17, ""));
+        painter.paintTicks(new TickStyle(
+                TextStyle.plain(ChartStyle.TEXT_SIZE, style.palette().text()), MARK_LENGTH, LABEL_DISTANCE, 17, ""));
         paintLabels();
     }
 

@@ -15,7 +15,9 @@ public final class Histogram {
     /** The minimum value at the top, so that all ticks are whole numbers. */
     private static final double MIN_HEIGHT = 5;
 
+    /** The minimum length of the axis of values, as a share of the greatest one. */
     private static final double MIN_RELATIVE_SPAN = 0.05;
+    /** The minimum length of that axis, in the unit of the values. */
     private static final double MIN_SPAN = 1e-3;
 
     private Histogram() {}

@@ -30,7 +30,7 @@ final class Legend {
 
     Legend(List<Series> allSeries, ChartStyle style, double width) {
         this.style = style;
-        textStyle = TextStyle.plain(11, style.palette().text());
+        textStyle = TextStyle.plain(ChartStyle.TEXT_SIZE, style.palette().text());
         List<LegendItem> items = new ArrayList<>();
         allSeries.forEach(series -> addItems(series, items));
         rows = LegendRows.of(items, LegendItem::name, textStyle::estimateWidth, width);
@@ -65,8 +65,7 @@ final class Legend {
                     MarkerPainter.paint(surface, middle, points.styleIndex(), style);
                 }),
                 band -> add.accept((surface, left) -> {
-                    Color colour = ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2);
-                    surface.fill(Shapes.polygon(box(left)), colour);
+                    surface.fill(Shapes.polygon(box(left)), style.band(band.styleIndex()));
                 }),
                 cells -> addClasses(cells, items),
                 note -> {

@@ -12,14 +12,14 @@ record SeriesPainter(PlotPainter painter, ChartStyle style) {
         series.match(new Series.SeriesCases(
                 line -> painter.paintLine(line.points(), style.lineStyle(line.styleIndex())),
                 points -> painter.paintMarkers(points.points(), points.styleIndex(), style),
-                band -> painter.paintBand(
-                        band.upper(), band.lower(), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2)),
+                band -> painter.paintBand(band.upper(), band.lower(), style.band(band.styleIndex())),
                 this::paintCells,
                 note -> painter.surface()
                         .drawText(
                                 note.name(),
                                 painter.plot().toPicture(note.position()),
-                                TextStyle.plain(11, style.palette().text()))));
+                                TextStyle.plain(
+                                        ChartStyle.TEXT_SIZE, style.palette().text()))));
     }
 
     private void paintCells(Series.Cells cells) {

@@ -14,9 +14,13 @@ final class ScaleBarPainter {
     /** The minimum length of the bar, pixels; it is less than two and a half times as long. */
     private static final double MIN_LENGTH = 60;
 
+    /** The distance of the bar from the right edge of the picture, pixels. */
     private static final double MARGIN_RIGHT = 24;
+    /** The distance of the bar from the bottom of the picture, pixels. */
     private static final double MARGIN_BOTTOM = 7;
+    /** The height of the marks at the ends of the bar, pixels. */
     private static final double TICK_HEIGHT = 4;
+    /** The distance between the bar and its name, pixels. */
     private static final double NAME_GAP = 8;
 
     private ScaleBarPainter() {}

@@ -14,6 +14,11 @@ import java.util.List;
  */
 public record ChartStyle(Palette palette, Color grid, List<Color> series, List<Color> classes) {
 
+    /** The size of the texts in a chart, except those of titles and axes, pixels. */
+    public static final double TEXT_SIZE = 11;
+
+    private static final double BAND_OPACITY = 0.2;
+
     /** For paper. */
     public static final ChartStyle LIGHT = new ChartStyle(
             new Palette(
@@ -78,6 +83,11 @@ public record ChartStyle(Palette palette, Color grid, List<Color> series, List<C
     public LineStyle lineStyle(int index) {
         DashPattern[] patterns = DashPattern.values();
         return new LineStyle(series(index), 1.8, patterns[(index + index / series.size()) % patterns.length]);
+    }
+
+    /** Returns the colour of the area of a series. */
+    public Color band(int index) {
+        return withOpacity(series(index), BAND_OPACITY);
     }
 
     /** Returns a translucent colour; opacity in [0, 1]. */
