@@ -7,6 +7,7 @@ import faultline.control.wallfollower.WallFollower;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.engine.walls.BodyPaths;
 import faultline.engine.walls.WallCircuit;
 import faultline.engine.walls.WallReference;
 import faultline.geometry.Segment;
@@ -14,6 +15,7 @@ import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +30,10 @@ import java.util.stream.DoubleStream;
  * 0 without one, but not before the first wall follower; if the robot has not met a wall by then, it starts when it
  * does, unless the time of two laps of the longest wall is up: then it does not carry on. A contact counts from the
  * beginning of the run.
+ *
+ * <p>Its wall is that of the wanted path nearest to it when the clock starts. When the time of this path is up and the
+ * robot has not passed enough of its wall, the {@link OtherWalls} count as well, and the robot has the time of two laps
+ * of the longest of their paths. Where no passage is narrow, there are no others.
  */
 public final class CarryOnMetrics implements TickObserver {
 
@@ -55,9 +61,6 @@ public final class CarryOnMetrics implements TickObserver {
     /** The greatest distance between two such points, metres; between points farther apart a place could be missed. */
     private static final double MAX_STEP = 0.05;
 
-    /** The distance that the robot must drive before a pass of the same place counts again, metres. */
-    private static final double MIN_LAP = 1.0;
-
     private final WallCircuit circuit;
     private final double speed;
     private final double onset;
@@ -74,6 +77,11 @@ public final class CarryOnMetrics implements TickObserver {
     private double weightedPasses;
     private double wallLength;
     private Vector2 last = Vector2.ZERO;
+    /** Where the robot has been since the clock started, until the other walls are looked at. */
+    private final List<Vector2> trail = new ArrayList<>();
+    /** Null while the robot has time for its first wall. */
+    private OtherWalls otherWalls;
+
     private boolean collided;
     private boolean passedInTime;
     private double time;
@@ -135,13 +143,20 @@ public final class CarryOnMetrics implements TickObserver {
     public static WallCircuit circuit(SimulationSetup setup) {
         SimulationSetup firstTick = FirstTick.setup(setup);
         OptionalDouble distance = wantedDistance(firstTick);
-        return distance.isPresent() ? circuit(firstTick.world(), distance.getAsDouble()) : WallCircuit.empty();
+        return distance.isPresent()
+                ? circuit(firstTick.world(), distance.getAsDouble(), firstTick.robot())
+                : WallCircuit.empty();
     }
 
-    /** Returns the {@link #circuit} of a world at a distance of the robot's centre from the walls, metres. */
-    static WallCircuit circuit(WorldSpec world, double distance) {
+    /** Returns the {@link #circuit} of a world at a distance of a robot's centre from the walls, metres. */
+    static WallCircuit circuit(WorldSpec world, double distance, RobotSpec robot) {
         List<WallReference.WallSample> places = new WallReference(world).samplesAlongPath(distance, PLACE_SPACING);
-        return new WallCircuit(places, PLACE_SPACING, JOIN_DISTANCE, PASSING_DISTANCE);
+        return new WallCircuit(
+                places,
+                PLACE_SPACING,
+                JOIN_DISTANCE,
+                PASSING_DISTANCE,
+                circuit -> BodyPaths.of(circuit, distance, world, robot.width()));
     }
 
     /**
@@ -231,6 +246,9 @@ public final class CarryOnMetrics implements TickObserver {
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
+        if (time > deadline && !passedInTime && otherWalls == null) {
+            lookAtOtherWalls();
+        }
         if (path >= 0) {
             if (centre.distanceTo(last) >= MIN_STEP) {
                 new Segment(last, centre).forEachPoint(MAX_STEP, this::visit);
@@ -238,6 +256,26 @@ public final class CarryOnMetrics implements TickObserver {
         } else if (isAtWall(state, needsFollowerState) && time <= deadline) {
             startClock(centre);
         }
+    }
+
+    /**
+     * Lets the other walls count, with the time of the longest of their paths. A robot that has met no wall has the
+     * time of the longest of all paths.
+     */
+    private void lookAtOtherWalls() {
+        if (path < 0) {
+            deadline = onset
+                    + allowedTime(
+                            Math.max(circuit.maxLength(), circuit.bodyPaths().maxLength()));
+            return;
+        }
+        otherWalls = new OtherWalls(circuit, path);
+        deadline = start + allowedTime(otherWalls.maxLength());
+        for (int i = 1; i < trail.size(); i++) {
+            otherWalls.visit(trail.get(i - 1), trail.get(i));
+        }
+        trail.clear();
+        passedInTime = otherWalls.share() >= REQUIRED_SHARE;
     }
 
     private void startClock(Vector2 centre) {
@@ -248,11 +286,17 @@ public final class CarryOnMetrics implements TickObserver {
             wallLength += circuit.path(i) == path ? circuit.wallLength(i) : 0;
         }
         last = centre;
+        trail.add(centre);
         visit(centre);
     }
 
     private void visit(Vector2 centre) {
         travelled += centre.distanceTo(last);
+        if (otherWalls != null) {
+            otherWalls.visit(last, centre);
+        } else if (!passedInTime) {
+            trail.add(centre);
+        }
         last = centre;
         circuit.forEachPassed(centre, this::pass);
         passedInTime |= time <= deadline && share().orElse(0) >= REQUIRED_SHARE;
@@ -262,7 +306,7 @@ public final class CarryOnMetrics implements TickObserver {
         if (circuit.path(place) != path) {
             return;
         }
-        if (passes[place] == 0 || travelled - lastPass[place] > MIN_LAP) {
+        if (passes[place] == 0 || travelled - lastPass[place] > OtherWalls.MIN_LAP) {
             passedLength += passes[place] == 0 ? circuit.wallLength(place) : 0;
             weightedPasses += circuit.wallLength(place);
             passes[place]++;
@@ -280,14 +324,30 @@ public final class CarryOnMetrics implements TickObserver {
         return passedInTime && !collided;
     }
 
-    /** {@return the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start} */
+    /**
+     * {@return the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start} If
+     * other walls count, it is that of the wall of which the greatest share was passed.
+     */
     public OptionalDouble share() {
-        return wallLength > 0 ? OptionalDouble.of(Math.min(1, passedLength / wallLength)) : OptionalDouble.empty();
+        return wallLength > 0
+                ? OptionalDouble.of(isOtherCounted() ? otherWalls.share() : ownShare())
+                : OptionalDouble.empty();
     }
 
-    /** {@return the number of times that the wall was passed since the clock started, on average over its length} */
+    private double ownShare() {
+        return Math.min(1, passedLength / wallLength);
+    }
+
+    /** Returns whether another wall counts of which the robot has passed a greater share than of the first one. */
+    private boolean isOtherCounted() {
+        return otherWalls != null && otherWalls.share() > ownShare();
+    }
+
+    /** {@return the number of times that this wall was passed since the clock started, on average over its length} */
     public OptionalDouble laps() {
-        return wallLength > 0 ? OptionalDouble.of(weightedPasses / wallLength) : OptionalDouble.empty();
+        return wallLength > 0
+                ? OptionalDouble.of(isOtherCounted() ? otherWalls.laps() : weightedPasses / wallLength)
+                : OptionalDouble.empty();
     }
 
     /** {@return when the clock started, seconds; empty if it did not} */

@@ -107,7 +107,7 @@ public final class RunMeter implements TickObserver {
     /** Returns the path that the robot follows; if it is too long, no laps are measured. */
     private WallCircuit circuit() {
         try {
-            return CarryOnMetrics.circuit(setup.world(), wall.startDistance());
+            return CarryOnMetrics.circuit(setup.world(), wall.startDistance(), setup.robot());
         } catch (WallReference.PathTooLongException e) {
             return WallCircuit.empty();
         }

@@ -18,7 +18,7 @@ public final class WallCircuits {
     public WallCircuits() {}
 
     /** The distance is not a number for robots that follow no wall. */
-    private record CircuitKey(WorldSpec world, double distance) {}
+    private record CircuitKey(WorldSpec world, double distance, double width) {}
 
     /**
      * {@return {@link CarryOnMetrics#circuit}, perhaps found by an earlier call}
@@ -29,7 +29,9 @@ public final class WallCircuits {
     public WallCircuit forCarryOn(SimulationSetup setup) {
         SimulationSetup firstTick = FirstTick.setup(setup);
         CircuitKey key = new CircuitKey(
-                firstTick.world(), CarryOnMetrics.wantedDistance(firstTick).orElse(Double.NaN));
+                firstTick.world(),
+                CarryOnMetrics.wantedDistance(firstTick).orElse(Double.NaN),
+                firstTick.robot().width());
         synchronized (kept) {
             WallCircuit known = kept.get(key);
             if (known != null) {

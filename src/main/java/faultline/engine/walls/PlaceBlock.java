@@ -96,6 +96,10 @@ final class PlaceBlock {
         return row.place(from + index);
     }
 
+    Vector2 offset(int index) {
+        return row.offset(from + index);
+    }
+
     /** Returns the position of a place in the order of all places of its wall. */
     long rank(int index) {
         return row.rank(from + index);

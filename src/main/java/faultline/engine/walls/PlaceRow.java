@@ -23,6 +23,9 @@ sealed interface PlaceRow {
 
     Vector2 place(int index);
 
+    /** Returns the way from the nearest point of the wall to a place, metres. */
+    Vector2 offset(int index);
+
     /** Returns the length of the piece of wall that belongs to a place, metres; 0 at a corner, which only joins two. */
     double wallLength(int index);
 
@@ -98,6 +101,11 @@ sealed interface PlaceRow {
         @Override
         public Vector2 place(int index) {
             return segment.pointAt((index + 0.5) / size).plus(offset);
+        }
+
+        @Override
+        public Vector2 offset(int index) {
+            return offset;
         }
 
         @Override
@@ -181,7 +189,12 @@ sealed interface PlaceRow {
 
         @Override
         public Vector2 place(int index) {
-            return corner.plus(circle.get(number(index)));
+            return corner.plus(offset(index));
+        }
+
+        @Override
+        public Vector2 offset(int index) {
+            return circle.get(number(index));
         }
 
         @Override
@@ -222,11 +235,16 @@ sealed interface PlaceRow {
 
         @Override
         public Vector2 place(int index) {
+            return foot(unit(index + 1)).plus(offset(index));
+        }
+
+        @Override
+        public Vector2 offset(int index) {
             Vector2 unit = unit(index + 1);
             Vector2 across = new Vector2(unit.x() / oval.rx(), unit.y() / oval.ry());
             Vector2 normal = across.times(1 / across.length())
                     .rotated(oval.frame().cos(), oval.frame().sin());
-            return foot(unit).plus(normal.times(distance));
+            return normal.times(distance);
         }
 
         private Vector2 unit(int index) {

@@ -3,17 +3,20 @@ package faultline.engine.walls;
 import faultline.geometry.Vector2;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.stream.DoubleStream;
 
 /**
  * The closed paths along the walls of a world at one distance: the places at that distance from a wall and not nearer
- * to any other wall, joined to connected paths. Immutable; runs in the same world can share one.
+ * to any other wall, joined to connected paths. Does not change; runs in the same world can share one, also in several
+ * threads.
  */
 public final class WallCircuit {
 
     private final List<WallReference.WallSample> places;
     private final double tolerance;
+    private final double spacing;
     private final int[] paths;
     private final double[] lengths;
     private final double maxLength;
@@ -27,9 +30,25 @@ public final class WallCircuit {
 
     private final int[] before;
 
+    private final Function<WallCircuit, BodyPaths> bodyFinder;
+    /** Null until they are needed, because finding them may take longer than finding this circuit. */
+    private BodyPaths bodyPaths;
+
     /** {@return a circuit without any path, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
+    }
+
+    /**
+     * Joins places into paths; those of the body are the same.
+     *
+     * @param places the places, in the order of the walls
+     * @param spacing the spacing of the places, metres
+     * @param joinDistance places nearer to each other than this belong to one path, metres
+     * @param tolerance the maximum distance from a place at which a robot passes it, at least the join distance, metres
+     */
+    public WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
+        this(places, spacing, joinDistance, tolerance, BodyPaths::same);
     }
 
     /**
@@ -39,52 +58,31 @@ public final class WallCircuit {
      * @param spacing the spacing of the places, metres
      * @param joinDistance places nearer to each other than this belong to one path, metres
      * @param tolerance the maximum distance from a place at which a robot passes it, at least the join distance, metres
+     * @param bodyFinder finds the paths of the body
      */
-    public WallCircuit(List<WallReference.WallSample> places, double spacing, double joinDistance, double tolerance) {
+    public WallCircuit(
+            List<WallReference.WallSample> places,
+            double spacing,
+            double joinDistance,
+            double tolerance,
+            Function<WallCircuit, BodyPaths> bodyFinder) {
         this.places = new ArrayList<>(places);
+        this.spacing = spacing;
         this.tolerance = tolerance;
+        this.bodyFinder = bodyFinder;
         int count = places.size();
         paths = new int[count];
         lengths = new double[count];
         xs = places.stream().mapToDouble(place -> place.position().x()).toArray();
         ys = places.stream().mapToDouble(place -> place.position().y()).toArray();
         before = new int[count];
-        PointRuns runs = new PointRuns(joinDistance);
+        JoinedPlaces joined = new JoinedPlaces(this.places, joinDistance);
         for (int i = 0; i < count; i++) {
-            paths[i] = i;
-            joinWithEarlier(i, runs);
             addToCell(i);
-        }
-        for (int i = 0; i < count; i++) {
-            paths[i] = root(i);
+            paths[i] = joined.path(i);
             lengths[paths[i]] += spacing;
         }
         maxLength = DoubleStream.of(lengths).max().orElse(0);
-    }
-
-    private void joinWithEarlier(int i, PointRuns runs) {
-        Vector2 position = places.get(i).position();
-        int own = runs.add(position);
-        if (runs.isTwin(i, own)) {
-            join(i, own);
-        } else {
-            runs.forEachNear(position, run -> join(i, run));
-        }
-    }
-
-    private void join(int one, int other) {
-        int a = root(one);
-        int b = root(other);
-        paths[Math.max(a, b)] = Math.min(a, b);
-    }
-
-    private int root(int i) {
-        int at = i;
-        while (paths[at] != at) {
-            paths[at] = paths[paths[at]];
-            at = paths[at];
-        }
-        return at;
     }
 
     private void addToCell(int i) {
@@ -133,6 +131,47 @@ public final class WallCircuit {
                 }
             }
         });
+    }
+
+    /**
+     * {@return the distance of a place from a point, metres}
+     *
+     * @param place the index of the place
+     * @param point the point
+     */
+    public double distance(int place, Vector2 point) {
+        return distance(place, point.x(), point.y());
+    }
+
+    /**
+     * {@return how far a robot with the wall of a place on its left drives along it, metres; negative if it drives back
+     * or if the wall is on its right}
+     *
+     * @param place the index of the place
+     * @param from where the robot's centre was
+     * @param to where it is
+     */
+    public double ahead(int place, Vector2 from, Vector2 to) {
+        Vector2 offset = places.get(place).offset();
+        return offset.cross(to.minus(from)) / offset.length();
+    }
+
+    /** {@return the paths of the body, found by the first call} */
+    public synchronized BodyPaths bodyPaths() {
+        if (bodyPaths == null) {
+            bodyPaths = bodyFinder.apply(this);
+        }
+        return bodyPaths;
+    }
+
+    /** Returns a place. */
+    WallReference.WallSample place(int index) {
+        return places.get(index);
+    }
+
+    /** Returns the spacing of the places, metres. */
+    double spacing() {
+        return spacing;
     }
 
     /** {@return how many places there are on all paths together} */

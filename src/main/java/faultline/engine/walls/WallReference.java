@@ -21,7 +21,7 @@ public final class WallReference {
     /** A bound of the error of a distance, metres. */
     static final double ROUNDING = 1e-9;
 
-    /** The maximum number of places of a world, because every place takes about 130 bytes. */
+    /** The maximum number of places of a world, because every place takes about 140 bytes. */
     public static final int MAX_PLACES = 2_000_000;
 
     private final WorldSpec world;
@@ -139,7 +139,8 @@ public final class WallReference {
                 if (free.size() == max) {
                     throw new PathTooLongException(distance, MAX_PLACES);
                 }
-                free.add(new Ranked(block.rank(i), new WallSample(block.place(i), block.wallLength(i))));
+                free.add(new Ranked(
+                        block.rank(i), new WallSample(block.place(i), block.offset(i), block.wallLength(i))));
             }
         }
     }
@@ -183,7 +184,14 @@ public final class WallReference {
      * A place from which a piece of wall can be followed.
      *
      * @param position the position of the robot's centre
+     * @param offset the way from the nearest point of the wall to there, metres
      * @param wallLength the length of the piece of wall, metres; 0 for a corner, which only joins two walls
      */
-    public record WallSample(Vector2 position, double wallLength) {}
+    public record WallSample(Vector2 position, Vector2 offset, double wallLength) {
+
+        /** Returns the point at a distance from the wall, metres, on the way to the position. */
+        Vector2 atDistance(double distance) {
+            return position.plus(offset.times(distance / offset.length() - 1));
+        }
+    }
 }

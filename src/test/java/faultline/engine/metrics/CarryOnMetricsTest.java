@@ -42,10 +42,10 @@ class CarryOnMetricsTest {
     private static WallCircuit circuit() {
         List<WallReference.WallSample> places = new ArrayList<>();
         for (int i = 0; i < 100; i++) {
-            places.add(new WallReference.WallSample(new Vector2(i * SPACING, 0), SPACING));
+            places.add(new WallReference.WallSample(new Vector2(i * SPACING, 0), new Vector2(0, 0.35), SPACING));
         }
         for (int i = 0; i < 40; i++) {
-            places.add(new WallReference.WallSample(new Vector2(i * SPACING, 5), SPACING));
+            places.add(new WallReference.WallSample(new Vector2(i * SPACING, 5), new Vector2(0, 0.35), SPACING));
         }
         return new WallCircuit(places, SPACING, 0.13, 0.16);
     }

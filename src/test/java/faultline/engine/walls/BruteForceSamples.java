@@ -43,6 +43,6 @@ final class BruteForceSamples {
                 return;
             }
         }
-        places.add(new WallReference.WallSample(place, row.wallLength(index)));
+        places.add(new WallReference.WallSample(place, row.offset(index), row.wallLength(index)));
     }
 }

@@ -29,7 +29,7 @@ class WallCircuitTest {
             List<WallReference.WallSample> places = new ArrayList<>();
             for (int i = 0; i < 300; i++) {
                 Vector2 at = new Vector2(origin + step * random.nextInt(30), origin - step * random.nextInt(30));
-                places.add(new WallReference.WallSample(at, SPACING));
+                places.add(new WallReference.WallSample(at, Vector2.ZERO, SPACING));
             }
             assertAgrees(places, random);
         }
@@ -54,7 +54,7 @@ class WallCircuitTest {
                 for (int i = 0; i < 50; i++) {
                     x += 0.0004 * (random.nextDouble() - 0.3);
                     y += 0.0004 * (random.nextDouble() - 0.3);
-                    places.add(new WallReference.WallSample(new Vector2(x, y), SPACING));
+                    places.add(new WallReference.WallSample(new Vector2(x, y), Vector2.ZERO, SPACING));
                 }
             }
             assertAgrees(places, random);
@@ -65,7 +65,7 @@ class WallCircuitTest {
     void manyPlacesInOneCellTakeLittleTime() {
         CpuTime time = CpuTime.start();
         List<WallReference.WallSample> places = IntStream.range(0, 200_000)
-                .mapToObj(i -> new WallReference.WallSample(new Vector2(i * 5e-7, 0), SPACING))
+                .mapToObj(i -> new WallReference.WallSample(new Vector2(i * 5e-7, 0), Vector2.ZERO, SPACING))
                 .toList();
         assertEquals(200_000 * SPACING, new WallCircuit(places, SPACING, JOIN, TOLERANCE).maxLength(), 1e-6);
         time.assertBelow(5);
