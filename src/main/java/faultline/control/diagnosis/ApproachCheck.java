@@ -27,7 +27,7 @@ final class ApproachCheck {
     private static final double STRAIGHT = StrictMath.toRadians(3);
 
     /** A surface that is farther from the path than this may end before it, metres. */
-    private static final double BESIDE = 0.33;
+    private static final double BESIDE = 0.29;
 
     private ApproachCheck() {}
 

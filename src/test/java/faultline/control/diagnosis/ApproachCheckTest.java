@@ -52,7 +52,15 @@ class ApproachCheckTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"-20, 0.2, 0", "-10, 0.25, 1", "0, 0.3, 0", "0, 0.3, 2.5", "10, 0.3, -2", "20, 0.4, 0", "21, 0.3, 4"})
+    @CsvSource({
+        "-20, 0.17, 0",
+        "-10, 0.22, 1",
+        "0, 0.29, 0",
+        "0, 0.25, 2.5",
+        "10, 0.29, -2",
+        "20, 0.35, 0",
+        "21, 0.3, 4"
+    })
     void aWallCrossesThePathAtItsSlant(double degrees, double ahead, double heading) {
         assertEquals(ahead, expectedOfWall(heading, STEP, ahead, Math.toRadians(degrees)), 1e-3);
     }
@@ -60,7 +68,7 @@ class ApproachCheckTest {
     @ParameterizedTest
     @ValueSource(doubles = {22, 25, 40})
     void aMoreSlantedWallMayEndBesideThePath(double degrees) {
-        assertEquals(Reading.NOTHING, expectedOfWall(0, STEP, 0.3, Math.toRadians(degrees)));
+        assertEquals(Reading.NOTHING, expectedOfWall(0, STEP, 0.29, Math.toRadians(degrees)));
     }
 
     @ParameterizedTest
@@ -72,9 +80,9 @@ class ApproachCheckTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.35, true", "0.36, false"})
+    @CsvSource({"0.29, true", "0.31, false"})
     void aSurfaceFarFromThePathMayEndBeforeIt(double ahead, boolean crosses) {
-        // It is 0.33 m from the path if the reading is 0.436 m.
+        // It is 0.29 m from the path if the reading is 0.366 m.
         double expected = expectedOfWall(0, STEP, ahead, 0);
         assertEquals(crosses ? ahead : Reading.NOTHING, expected, 1e-3);
     }
@@ -82,24 +90,24 @@ class ApproachCheckTest {
     @ParameterizedTest
     @CsvSource({"0.0130, false", "0.0134, true"})
     void theRateIsThatOverEightCentimetresAtLeast(double step, boolean crosses) {
-        double expected = expectedOfWall(0, step, 0.3, 0);
-        assertEquals(crosses ? 0.3 : Reading.NOTHING, expected, 1e-3);
+        double expected = expectedOfWall(0, step, 0.25, 0);
+        assertEquals(crosses ? 0.25 : Reading.NOTHING, expected, 1e-3);
     }
 
     @ParameterizedTest
     @CsvSource({"2.9, true", "3.1, false", "-3.1, false"})
     void theRateIsThatOfAStraightPath(double degrees, boolean crosses) {
         double axis = CONE.bearing() + Math.toRadians(degrees);
-        addMeasurement(0, 0, axis, readingOfWall(0.3 + 4 * 0.04, 0));
+        addMeasurement(0, 0, axis, readingOfWall(0.25 + 4 * 0.04, 0));
         for (int i = 1; i <= 4; i++) {
-            addMeasurement(0, 0.04 * i, CONE.bearing(), readingOfWall(0.3 + (4 - i) * 0.04, 0));
+            addMeasurement(0, 0.04 * i, CONE.bearing(), readingOfWall(0.25 + (4 - i) * 0.04, 0));
         }
         assertEquals(crosses, ApproachCheck.expectedAhead(sensor) < Reading.NOTHING);
     }
 
     @Test
     void aMeasurementThatSawNothingGivesNoRate() {
-        drive(0, STEP, driven -> driven == 3 * STEP ? -1 : readingOfWall(0.3 + 6 * STEP - driven, 0));
+        drive(0, STEP, driven -> driven == 3 * STEP ? -1 : readingOfWall(0.25 + 6 * STEP - driven, 0));
         assertEquals(Reading.NOTHING, ApproachCheck.expectedAhead(sensor));
     }
 
