@@ -11,6 +11,7 @@ import faultline.gui.canvas.tool.DragGesture;
 import faultline.gui.edit.ShapeHandles;
 import faultline.paint.scene.CornerChoice;
 import faultline.paint.scene.Layer;
+import faultline.paint.scene.ObstacleGroup;
 import faultline.paint.scene.PathStyle;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.paint.scene.ReferenceOverlayPainter;
@@ -41,6 +42,7 @@ final class CachedSceneRenderer {
     private FrameBudget budget;
     private boolean complete = true;
     private ObstacleDivision division = ObstacleDivision.NONE;
+    private ObstacleGroup selected = ObstacleGroup.NONE;
     /** Null before the first frame. */
     private Snapshot shownWorld;
 
@@ -132,7 +134,8 @@ final class CachedSceneRenderer {
                 .ifPresent(
                         obstacle -> SelectionPainter.paintHandles(context, obstacle, ShapeHandles.positions(obstacle)));
         if (scene.selection().get().size() > 1) {
-            SelectionPainter.paintHandle(context, scene.selected());
+            selected = selected.with(scene.selected());
+            SelectionPainter.paintHandle(context, selected);
         }
         scene.selectedSensor().ifPresent(sensor -> SelectionPainter.paintCone(context, sensor.sector()));
     }

@@ -11,6 +11,7 @@ import faultline.world.Obstacle;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
@@ -39,15 +40,14 @@ public final class InteractionPainter {
     /**
      * Paints the bounding box of the previews of obstacles, at least one, crossed out if one of them cannot be there.
      */
-    public static void paintPreview(DrawContext context, List<Obstacle> there, boolean blocked) {
+    public static void paintPreview(DrawContext context, ObstacleGroup there, boolean blocked) {
         paintPreview(context, bounds(context, there).orElseThrow(), blocked);
     }
 
-    private static Optional<Rectangle2D> bounds(DrawContext context, List<Obstacle> obstacles) {
-        return obstacles.stream()
-                .map(obstacle ->
-                        SelectionPainter.screenOutline(context, obstacle).getBounds2D())
-                .reduce(Rectangle2D::createUnion);
+    private static Optional<Rectangle2D> bounds(DrawContext context, ObstacleGroup obstacles) {
+        AffineTransform toScreen = context.camera().transform();
+        return obstacles.bounds().map(bounds -> toScreen.createTransformedShape(bounds)
+                .getBounds2D());
     }
 
     /** Paints the preview of the robot at its wanted pose, crossed out if it cannot be there. */
@@ -94,18 +94,18 @@ public final class InteractionPainter {
      * Paints the values that are being changed, below the obstacles at their wanted positions, or else beside the
      * mouse.
      */
-    public static void paintValues(DrawContext context, String values, List<Obstacle> there, Vector2 mouse) {
+    public static void paintValues(DrawContext context, String values, ObstacleGroup there, Vector2 mouse) {
         paintTextBox(context, values, there, mouse, context.palette().accent());
     }
 
     /** Paints the reason why a change is refused, at the position of {@link #paintValues}. */
-    public static void paintRefusal(DrawContext context, String reason, List<Obstacle> there, Vector2 mouse) {
+    public static void paintRefusal(DrawContext context, String reason, ObstacleGroup there, Vector2 mouse) {
         paintTextBox(context, reason, there, mouse, context.palette().collision());
     }
 
     /** Paints a text in a box below the obstacles, or else the mouse, moved into the picture if necessary. */
     private static void paintTextBox(
-            DrawContext context, String values, List<Obstacle> there, Vector2 mouse, Color edge) {
+            DrawContext context, String values, ObstacleGroup there, Vector2 mouse, Color edge) {
         Rectangle2D bounds = bounds(context, there).orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
         Rectangle2D text = context.measureText(values);
         double halfWidth = text.getWidth() / 2 + VALUES_PADDING;

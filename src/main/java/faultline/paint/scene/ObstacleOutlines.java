@@ -91,7 +91,12 @@ public final class ObstacleOutlines {
     }
 
     private static Vector2 localCentre(Obstacle obstacle) {
-        Rectangle2D bounds = localShape(obstacle.shape()).getBounds2D();
+        return middle(localShape(obstacle.shape()));
+    }
+
+    /** Returns the middle of the bounds of a shape. */
+    static Vector2 middle(Shape shape) {
+        Rectangle2D bounds = shape.getBounds2D();
         return new Vector2(bounds.getCenterX(), bounds.getCenterY());
     }
 

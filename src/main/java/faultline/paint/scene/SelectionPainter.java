@@ -44,14 +44,9 @@ public final class SelectionPainter {
      * Returns the position of the handle that rotates several obstacles about their common centre, pixels: above all of
      * them; there is at least one.
      */
-    public static Vector2 handlePosition(Camera camera, List<Obstacle> obstacles) {
-        double top = obstacles.stream()
-                .mapToDouble(obstacle ->
-                        ObstacleOutlines.worldShape(obstacle).getBounds2D().getMaxY())
-                .max()
-                .orElseThrow();
-        Vector2 above =
-                camera.toScreen(new Vector2(ObstacleOutlines.centre(obstacles).x(), top));
+    public static Vector2 handlePosition(Camera camera, ObstacleGroup obstacles) {
+        double top = obstacles.bounds().orElseThrow().getMaxY();
+        Vector2 above = camera.toScreen(new Vector2(obstacles.centre().x(), top));
         return new Vector2(above.x(), above.y() - STALK_LENGTH);
     }
 
@@ -114,11 +109,9 @@ public final class SelectionPainter {
     }
 
     /** Paints the common handle of the selected obstacles, at least one. */
-    public static void paintHandle(DrawContext context, List<Obstacle> obstacles) {
+    public static void paintHandle(DrawContext context, ObstacleGroup obstacles) {
         paintHandle(
-                context,
-                context.camera().toScreen(ObstacleOutlines.centre(obstacles)),
-                handlePosition(context.camera(), obstacles));
+                context, context.camera().toScreen(obstacles.centre()), handlePosition(context.camera(), obstacles));
     }
 
     private static void paintHandle(DrawContext context, Vector2 foot, Vector2 handle) {

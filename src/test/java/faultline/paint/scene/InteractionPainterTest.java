@@ -60,7 +60,8 @@ class InteractionPainterTest {
 
     @Test
     void thePreviewOfSeveralObstaclesSurroundsAllOfThem() {
-        InteractionPainter.paintPreview(context, List.of(DISC, DISC.withPose(new Pose(1, 0.5, 0))), false);
+        InteractionPainter.paintPreview(
+                context, ObstacleGroup.of(List.of(DISC, DISC.withPose(new Pose(1, 0.5, 0)))), false);
         assertEquals(
                 new Rectangle2D.Double(150, 50, 200, 150),
                 drawn.shapes(LIGHT.accent()).get(0).shape().getBounds2D());
@@ -86,7 +87,7 @@ class InteractionPainterTest {
 
     @Test
     void valuesHaveABoxAroundThem() {
-        InteractionPainter.paintValues(context, "1.00 m", List.of(), new Vector2(120, 60));
+        InteractionPainter.paintValues(context, "1.00 m", ObstacleGroup.NONE, new Vector2(120, 60));
         Rectangle2D text = context.measureText("1.00 m");
         assertEquals(text.getWidth() + 16, box().getWidth(), 1e-9);
         assertEquals(text.getHeight() + 8, box().getHeight(), 1e-9);
@@ -120,13 +121,13 @@ class InteractionPainterTest {
     @Test
     void valuesAreBelowTheObstacleOrElseBelowTheMouse() {
         Vector2 mouse = new Vector2(120, 60);
-        InteractionPainter.paintValues(context, "1.00 m", List.of(DISC), mouse);
+        InteractionPainter.paintValues(context, "1.00 m", ObstacleGroup.of(List.of(DISC)), mouse);
         assertEquals(200, box().getCenterX(), 1e-9);
         assertEquals(200 + 26, box().getCenterY(), 1e-9);
         assertTrue(drawn.texts().get(0).startsWith("1.00 m at "), drawn.texts()::toString);
         assertEquals(1, shapes(LIGHT.accent()).size());
         drawn.clear();
-        InteractionPainter.paintRefusal(context, "no", List.of(), mouse);
+        InteractionPainter.paintRefusal(context, "no", ObstacleGroup.NONE, mouse);
         assertEquals(120, box().getCenterX(), 1e-9);
         assertEquals(60 + 26, box().getCenterY(), 1e-9);
         assertEquals(1, shapes(LIGHT.collision()).size());
@@ -135,7 +136,7 @@ class InteractionPainterTest {
     @ParameterizedTest
     @CsvSource({"0, -40", "400, 300", "0, 300", "400, -40"})
     void valuesAreMovedIntoThePicture(double x, double y) {
-        InteractionPainter.paintValues(context, "1.00 m, 2.00 m", List.of(), new Vector2(x, y));
+        InteractionPainter.paintValues(context, "1.00 m, 2.00 m", ObstacleGroup.NONE, new Vector2(x, y));
         Rectangle2D box = box();
         assertEquals(x == 0 ? 0 : 400, x == 0 ? box.getMinX() : box.getMaxX(), 1e-9);
         assertEquals(y < 0 ? 0 : 300, y < 0 ? box.getMinY() : box.getMaxY(), 1e-9);
@@ -155,7 +156,7 @@ class InteractionPainterTest {
 
     @Test
     void theHandleOfSeveralObstaclesIsAboveTheHighestAtTheirCommonCentre() {
-        List<Obstacle> both = List.of(DISC, DISC.withPose(new Pose(1, 0.5, 0)));
+        ObstacleGroup both = ObstacleGroup.of(List.of(DISC, DISC.withPose(new Pose(1, 0.5, 0))));
         Vector2 handle = SelectionPainter.handlePosition(CAMERA, both);
         assertEquals(0, handle.distanceTo(new Vector2(250, 50 - 24)), 1e-9, handle::toString);
         SelectionPainter.paintHandle(context, both);

@@ -5,6 +5,7 @@ import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
+import faultline.paint.scene.ObstacleGroup;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
@@ -26,6 +27,9 @@ public final class DragGesture implements Gesture {
     private final Viewport viewport;
     private final CommandSender sender;
     private DragPreview preview;
+    /** The obstacles of the preview that was painted last. */
+    private ObstacleGroup shown = ObstacleGroup.NONE;
+
     private Vector2 last;
 
     DragGesture(DragOperation operation, Vector2 pressed, CanvasModel model, Viewport viewport, CommandSender sender) {
@@ -104,12 +108,13 @@ public final class DragGesture implements Gesture {
             return;
         }
         List<Obstacle> blocked = blocked();
-        paint(context, preview.obstacles(), blocked);
+        shown = shown.with(preview.obstacles());
+        paintPreview(context, blocked);
         if (blocked.isEmpty()) {
-            InteractionPainter.paintValues(context, preview.valueText(), preview.obstacles(), last);
+            InteractionPainter.paintValues(context, preview.valueText(), shown, last);
         } else {
             InteractionPainter.paintRefusal(
-                    context, Messages.get("refused.robot", blocked.get(0).id()), preview.obstacles(), last);
+                    context, Messages.get("refused.robot", blocked.get(0).id()), shown, last);
         }
     }
 
@@ -125,11 +130,13 @@ public final class DragGesture implements Gesture {
                         <= MAX_SEPARATE_CORNERS;
     }
 
-    private static void paint(DrawContext context, List<Obstacle> there, List<Obstacle> blocked) {
-        if (isPreviewedInFull(there)) {
-            there.forEach(obstacle -> InteractionPainter.paintPreview(context, obstacle, blocked.contains(obstacle)));
+    private void paintPreview(DrawContext context, List<Obstacle> blocked) {
+        if (isPreviewedInFull(preview.obstacles())) {
+            preview.obstacles()
+                    .forEach(
+                            obstacle -> InteractionPainter.paintPreview(context, obstacle, blocked.contains(obstacle)));
         } else {
-            InteractionPainter.paintPreview(context, there, !blocked.isEmpty());
+            InteractionPainter.paintPreview(context, shown, !blocked.isEmpty());
         }
     }
 }

@@ -3,6 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.CommandSender;
 import faultline.gui.edit.ShapeHandles;
+import faultline.paint.scene.ObstacleGroup;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
@@ -31,6 +32,8 @@ public final class GesturePicker {
     private final Viewport viewport;
     private final CommandSender sender;
     private final CanvasListeners listeners;
+    /** What was selected last, if it was more than one obstacle. */
+    private ObstacleGroup group = ObstacleGroup.NONE;
 
     public GesturePicker(CanvasModel model, Viewport viewport, CommandSender sender, CanvasListeners listeners) {
         this.model = model;
@@ -130,12 +133,11 @@ public final class GesturePicker {
     /** Returns the position of the handle that rotates the selection. */
     private Optional<Vector2> rotationHandle() {
         List<Obstacle> selected = model.selected();
-        return selected.isEmpty()
-                ? Optional.empty()
-                : Optional.of(
-                        selected.size() == 1
-                                ? SelectionPainter.handlePosition(camera(), selected.get(0))
-                                : SelectionPainter.handlePosition(camera(), selected));
+        if (selected.size() > 1) {
+            group = group.with(selected);
+            return Optional.of(SelectionPainter.handlePosition(camera(), group));
+        }
+        return selected.stream().findFirst().map(obstacle -> SelectionPainter.handlePosition(camera(), obstacle));
     }
 
     /** Returns the index of the first point whose handle is at a position on the canvas. */

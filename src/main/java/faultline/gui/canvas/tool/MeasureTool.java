@@ -5,6 +5,7 @@ import faultline.gui.edit.ShapeHandles;
 import faultline.gui.text.AngleText;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
+import faultline.paint.scene.ObstacleGroup;
 import faultline.paint.surface.DrawContext;
 import java.util.List;
 import java.util.Optional;
@@ -92,6 +93,6 @@ public final class MeasureTool implements Tool {
         }
         measurementText()
                 .ifPresent(text -> InteractionPainter.paintValues(
-                        context, text, List.of(), context.camera().toScreen(to)));
+                        context, text, ObstacleGroup.NONE, context.camera().toScreen(to)));
     }
 }

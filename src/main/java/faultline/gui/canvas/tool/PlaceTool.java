@@ -5,6 +5,7 @@ import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
+import faultline.paint.scene.ObstacleGroup;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import java.util.List;
@@ -80,10 +81,13 @@ public final class PlaceTool implements Tool {
         InteractionPainter.paintPreview(drawContext, preview, blocked);
         if (blocked) {
             InteractionPainter.paintRefusal(
-                    drawContext, Messages.get("refused.robot", preview.id()), List.of(preview), Vector2.ZERO);
+                    drawContext,
+                    Messages.get("refused.robot", preview.id()),
+                    ObstacleGroup.of(List.of(preview)),
+                    Vector2.ZERO);
         } else if (pressed != null) {
             InteractionPainter.paintValues(
-                    drawContext, ShapeHandles.sizeText(preview, 0), List.of(preview), Vector2.ZERO);
+                    drawContext, ShapeHandles.sizeText(preview, 0), ObstacleGroup.of(List.of(preview)), Vector2.ZERO);
         }
     }
 }

@@ -8,9 +8,9 @@ import faultline.gui.text.AngleText;
 import faultline.gui.text.ContactText;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
+import faultline.paint.scene.ObstacleGroup;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Snapshot;
-import java.util.List;
 import java.util.Optional;
 
 /** Moves or rotates the robot before the run has started; on release the run restarts there. */
@@ -73,8 +73,8 @@ public final class StartPoseGesture implements Gesture {
             InteractionPainter.paintRobotPreview(context, world.robot(), startPose, obstructing.isPresent());
             obstructing.ifPresentOrElse(
                     id -> InteractionPainter.paintRefusal(
-                            context, ContactText.get("refused.start", id), List.of(), last),
-                    () -> InteractionPainter.paintValues(context, poseText(startPose), List.of(), last));
+                            context, ContactText.get("refused.start", id), ObstacleGroup.NONE, last),
+                    () -> InteractionPainter.paintValues(context, poseText(startPose), ObstacleGroup.NONE, last));
         }
     }
 
