@@ -19,6 +19,7 @@ import java.awt.event.WindowEvent;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -26,6 +27,7 @@ import javax.swing.JOptionPane;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 
 /** A form in a dialog that can be accepted or cancelled. */
 public final class FormDialog {
@@ -35,6 +37,9 @@ public final class FormDialog {
 
     /** The greatest length of a line of a warning, in characters. */
     private static final int MAX_LINE_LENGTH = 80;
+
+    /** The client property of a form that no entry can make acceptable: {@code Boolean.FALSE}. */
+    private static final String ACCEPTABLE = "faultline.acceptable";
 
     private FormDialog() {}
 
@@ -88,6 +93,11 @@ public final class FormDialog {
         form.removeComponentListener(growth);
         dialog.dispose();
         return FormPane.ACCEPTED.equals(pane.getValue());
+    }
+
+    /** Enables or disables the button that accepts a form: no entry can mend some problems, such as a broken file. */
+    public static void setAcceptable(JComponent form, boolean acceptable) {
+        form.putClientProperty(ACCEPTABLE, acceptable);
     }
 
     /** Commits the visible numbers in a form; returns the first one that is not allowed, which its field shows. */
@@ -171,6 +181,23 @@ public final class FormDialog {
             this.form = form;
             this.first = first;
             this.check = check;
+            form.addPropertyChangeListener(
+                    ACCEPTABLE, event -> acceptButton(this).setEnabled(!Boolean.FALSE.equals(event.getNewValue())));
+        }
+
+        private static JButton acceptButton(Container pane) {
+            return buttons(pane)
+                    .filter(button ->
+                            UIManager.getString("OptionPane.okButtonText").equals(button.getText()))
+                    .findFirst()
+                    .orElseThrow();
+        }
+
+        private static Stream<JButton> buttons(Container parent) {
+            return Stream.of(parent.getComponents())
+                    .flatMap(child -> child instanceof JButton button
+                            ? Stream.of(button)
+                            : child instanceof Container inner ? buttons(inner) : Stream.empty());
         }
 
         /** Returns a size with room for the title. */

@@ -3,6 +3,8 @@ package faultline.gui.properties;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.floorplan.FloorPlan;
+import faultline.floorplan.FloorPlanException;
+import faultline.floorplan.FloorPlanProblem;
 import faultline.floorplan.MapDescription;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -17,6 +19,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.NumberText;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.UiText;
+import faultline.io.Message;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.scene.Layer;
@@ -33,9 +36,12 @@ import java.awt.GridBagLayout;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import javax.swing.ImageIcon;
 import javax.swing.JCheckBox;
@@ -64,6 +70,10 @@ public final class ImportForm extends JPanel {
     private static final double MAX_RESOLUTION = 10;
     private static final int MAX_CELLS = 100_000;
     private static final double MAX_SMOOTHING = 20;
+
+    /** The problems of a plan that other values of the fields may mend. */
+    private static final Set<Message.Template> MENDABLE = Set.of(
+            FloorPlanProblem.MEMORY, FloorPlanProblem.SEGMENTS, FloorPlanProblem.MAP_SIZE, FloorPlanProblem.NO_ROOM);
 
     /** A read plan with its picture, and why the robot cannot start there; empty if it can. */
     private record Preview(
@@ -237,6 +247,7 @@ public final class ImportForm extends JPanel {
         FloorPlan plan = preview.read().plan();
         picture.setIcon(new ImageIcon(preview.picture()));
         camera = preview.camera();
+        setUsable(true);
         if (!preview.obstruction().isEmpty()) {
             status.setText(preview.obstruction() + notes(preview.read()));
             return;
@@ -267,6 +278,17 @@ public final class ImportForm extends JPanel {
         picture.setIcon(null);
         camera = null;
         status.setText(ErrorMessages.describeAsSentence(failure, file));
+        setUsable(!(failure instanceof IOException)
+                || failure instanceof FloorPlanException known
+                        && MENDABLE.contains(known.reason().template()));
+    }
+
+    /** Enables or disables the fields and the button that accepts the form. */
+    private void setUsable(boolean usable) {
+        List.of(resolution, negate, threshold, unknownIsWall, minCells, smoothing, findsStart)
+                .forEach(field -> field.setEnabled(usable));
+        start.setEnabled(usable && !findsStart.isSelected());
+        FormDialog.setAcceptable(this, usable);
     }
 
     /** Returns the scenario of the plan; empty while it is read, or if it cannot be read. */

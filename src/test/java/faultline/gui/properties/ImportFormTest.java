@@ -284,6 +284,25 @@ class ImportFormTest {
         assertTrue(callOnEdt(() -> form.scenario().isEmpty() && form.status().length() > 10), form.status());
     }
 
+    /** With a field that cannot mend a broken file, the user would only read it again. */
+    @ParameterizedTest
+    @CsvSource({
+        "broken.pgm, P5 hello, false",
+        "broken.png, hello, false",
+        "broken.yaml, resolution: 1, false",
+        "tiny.pgm, P2 2 2 255 9 255 255 9, true"
+    })
+    void onlyAProblemThatTheFieldsCanMendLeavesThemEnabled(String name, String content, boolean enabled)
+            throws IOException {
+        Path plan = Files.writeString(folder.resolve(name), content);
+        ImportForm form = callOnEdt(() -> new ImportForm(plan));
+        Await.until("a sentence", () -> !form.status().startsWith("Reading"));
+        JSpinner smallest = callOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells"));
+        assertEquals(enabled, callOnEdt(smallest::isEnabled), form::status);
+        assertEquals(enabled, callOnEdt(() -> ComponentFinder.find(form, JCheckBox.class, "Unknown cells are walls")
+                .isEnabled()));
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JScrollBar;
 import javax.swing.JTextField;
@@ -102,6 +103,18 @@ class ImportRobotTest {
         driver.robot().waitFor("the refused field has the focus", smoothing::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the form is gone", () -> !smoothing.isShowing());
+    }
+
+    @Test
+    void anImageThatCannotBeReadCanOnlyBeCancelled() throws IOException {
+        Path broken = Files.writeString(folder.resolve("broken.png"), "hello");
+        driver.chooseLater("importPlan");
+        driver.enterFile("Import floor plan", broken);
+        JDialog dialog = driver.dialog("Import broken.png");
+        JButton accept = ComponentFinder.find(dialog, JButton.class, "OK");
+        driver.robot().waitFor("the button is disabled", () -> !accept.isEnabled());
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the form is gone", () -> !accept.isShowing());
     }
 
     private static long rings(Frame frame) {
