@@ -42,6 +42,7 @@ public sealed interface RunEvent {
      * @param commandRefused for a refused command
      * @param collided for the first contact
      * @param diverged for the first difference from the reference run
+     * @param ghostCollided for the first contact of the reference run
      * @param printed for a line that a controller program has printed
      */
     record EventCases<R>(
@@ -53,6 +54,7 @@ public sealed interface RunEvent {
             Function<CommandRefused, R> commandRefused,
             Function<Collided, R> collided,
             Function<Diverged, R> diverged,
+            Function<GhostCollided, R> ghostCollided,
             Function<Printed, R> printed) {}
 
     /**
@@ -185,6 +187,24 @@ public sealed interface RunEvent {
         @Override
         public <R> R match(EventCases<R> cases) {
             return cases.diverged.apply(this);
+        }
+    }
+
+    /**
+     * The robot of the reference run touched an obstacle for the first time. No run records it.
+     *
+     * @param tick the tick of the contact
+     * @param collision the contact
+     */
+    record GhostCollided(long tick, Collision collision) implements RunEvent {
+        @Override
+        public double time() {
+            return collision.time();
+        }
+
+        @Override
+        public <R> R match(EventCases<R> cases) {
+            return cases.ghostCollided.apply(this);
         }
     }
 

@@ -169,6 +169,12 @@ public final class EventLogView extends JPanel {
         events.setDivergence(divergence);
     }
 
+    /** Sets the contact of the reference run, null for none. */
+    public void setGhostContact(RunEvent.GhostCollided contact) {
+        assert EventQueue.isDispatchThread();
+        events.setGhostContact(contact);
+    }
+
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();

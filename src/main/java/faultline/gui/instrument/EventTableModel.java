@@ -11,8 +11,8 @@ import java.util.Objects;
 import javax.swing.table.AbstractTableModel;
 
 /**
- * The event log as a table of time, kind and description. The divergence from the reference run and what controller
- * programs have printed are listed among the events of the log.
+ * The event log as a table of time, kind and description. The divergence from the reference run, its contact, and what
+ * controller programs have printed are listed among the events of the log.
  */
 final class EventTableModel extends AbstractTableModel {
 
@@ -34,6 +34,8 @@ final class EventTableModel extends AbstractTableModel {
     private final transient List<Extra> extras = new ArrayList<>();
     /** Null if the run does not differ from the reference run. */
     private transient RunEvent.Diverged divergence;
+    /** Null if there is no reference run with a contact. */
+    private transient RunEvent.GhostCollided ghostContact;
 
     /** An event that is not part of the log, and the number of the event in the log before which it is listed. */
     private record Extra(long next, RunEvent event) {
@@ -47,22 +49,43 @@ final class EventTableModel extends AbstractTableModel {
         if (Objects.equals(newDivergence, divergence)) {
             return;
         }
-        if (divergence != null) {
-            removeExtras(divergencePlace(), 1);
-        }
+        removeExtra(divergence);
         divergence = newDivergence;
         if (newDivergence != null) {
-            insertExtras(
-                    extrasBefore(newDivergence.tick()),
-                    log.firstIndexSince(newDivergence.tick()),
-                    List.of(newDivergence));
+            insertExtra(newDivergence);
         }
     }
 
-    /** Returns the index of the divergence among the extra events; negative if there is none. */
-    private int divergencePlace() {
+    /** Sets the contact of the reference run, which is listed when the run has reached its tick; null for none. */
+    void setGhostContact(RunEvent.GhostCollided newContact) {
+        if (!Objects.equals(newContact, ghostContact)) {
+            removeExtra(ghostContact);
+            ghostContact = newContact;
+            listGhostContact();
+        }
+    }
+
+    private void listGhostContact() {
+        if (ghostContact != null && ghostContact.tick() <= tick && placeOf(ghostContact) < 0) {
+            insertExtra(ghostContact);
+        }
+    }
+
+    private void insertExtra(RunEvent event) {
+        insertExtras(extrasBefore(event.tick()), log.firstIndexSince(event.tick()), List.of(event));
+    }
+
+    private void removeExtra(RunEvent event) {
+        int place = placeOf(event);
+        if (place >= 0) {
+            removeExtras(place, 1);
+        }
+    }
+
+    /** Returns the index of an event among the extra events; negative if it is not there. */
+    private int placeOf(RunEvent event) {
         for (int i = 0; i < extras.size(); i++) {
-            if (extras.get(i).event() == divergence) {
+            if (extras.get(i).event() == event) {
                 return i;
             }
         }
@@ -143,6 +166,7 @@ final class EventTableModel extends AbstractTableModel {
         tick = newTick;
         if (!continued) {
             replaceLog(newest);
+            listGhostContact();
             return true;
         }
         RunEvent.Diverged marked = divergence;
@@ -152,14 +176,15 @@ final class EventTableModel extends AbstractTableModel {
         removeOldest(newest.firstIndex());
         appendEvents(newest);
         setDivergence(marked);
+        listGhostContact();
         return newest.endIndex() > before.endIndex();
     }
 
-    /** Shows the log of another run, or of the same one that was moved back, without the lines of later ticks. */
+    /** Shows the log of another run, or of the same one that was moved back, without what was added at later ticks. */
     private void replaceLog(EventLog newest) {
         log = newest;
         firstEvent = newest.firstIndex();
-        extras.removeIf(extra -> extra.isLine() && extra.event().tick() > tick);
+        extras.removeIf(extra -> extra.event() != divergence && extra.event().tick() > tick);
         extras.replaceAll(extra ->
                 new Extra(newest.firstIndexSince(extra.event().tick() + (extra.isLine() ? 1 : 0)), extra.event()));
         fireTableDataChanged();

@@ -100,6 +100,11 @@ public final class InstrumentDock extends JTabbedPane {
         events.clear();
     }
 
+    /** Sets the contact of the reference run, which the event log lists, null for none. */
+    public void setGhostContact(RunEvent.GhostCollided contact) {
+        events.setGhostContact(contact);
+    }
+
     /** Sets the items of the time line that the charts mark; the same list as before changes nothing. */
     public void setItems(List<TimelineItem> items) {
         if (items != shownItems) {

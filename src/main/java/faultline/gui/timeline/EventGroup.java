@@ -14,7 +14,7 @@ public enum EventGroup {
     COMMANDS,
     /** Contacts with obstacles. */
     COLLISIONS,
-    /** Where the run differs from the reference run. */
+    /** Where the run differs from the reference run, and the contact of that run. */
     GHOST,
     /** What controller programs have printed. */
     OUTPUT;
@@ -27,7 +27,7 @@ public enum EventGroup {
             case TRUST, DISTRUST, RUNG -> FINDINGS;
             case COMMAND, REFUSAL -> COMMANDS;
             case COLLISION -> COLLISIONS;
-            case DIVERGENCE -> GHOST;
+            case DIVERGENCE, GHOST_COLLISION -> GHOST;
             case OUTPUT -> OUTPUT;
         };
     }

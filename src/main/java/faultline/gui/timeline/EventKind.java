@@ -29,6 +29,8 @@ public enum EventKind {
     COLLISION("event.collision", Glyph.COLLISION, true),
     /** The run differs from the reference run. */
     DIVERGENCE("event.ghost", Glyph.FORK, false),
+    /** The robot of the reference run touched an obstacle. */
+    GHOST_COLLISION("event.ghost", Glyph.COLLISION, false),
     /** A controller program has printed a line. */
     OUTPUT("event.output", Glyph.PROMPT, false);
 
@@ -52,6 +54,7 @@ public enum EventKind {
                 commandRefused -> REFUSAL,
                 collided -> COLLISION,
                 diverged -> DIVERGENCE,
+                ghostCollided -> GHOST_COLLISION,
                 printed -> OUTPUT));
     }
 

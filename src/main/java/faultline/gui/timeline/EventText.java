@@ -8,6 +8,7 @@ import faultline.gui.text.NumberText;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import faultline.gui.text.TurnTimes;
+import faultline.world.Collision;
 
 /** Describes the events of a run in the user's language. */
 public final class EventText {
@@ -32,12 +33,17 @@ public final class EventText {
                 executed -> CommandText.format(executed.command()),
                 refused -> Messages.get(
                         "event.refusal", CommandText.format(refused.command()), RefusalText.format(refused.refusal())),
-                collided -> ContactText.get(
-                        "event.collided",
-                        collided.collision().obstacle(),
-                        NumberText.format("%.3f", collided.collision().point().x()),
-                        NumberText.format("%.3f", collided.collision().point().y())),
+                collided -> contact("event.collided", collided.collision()),
                 diverged -> Messages.get("event.diverged"),
+                ghost -> contact("event.ghostCollided", ghost.collision()),
                 RunEvent.Printed::line));
+    }
+
+    private static String contact(String key, Collision collision) {
+        return ContactText.get(
+                key,
+                collision.obstacle(),
+                NumberText.format("%.3f", collision.point().x()),
+                NumberText.format("%.3f", collision.point().y()));
     }
 }

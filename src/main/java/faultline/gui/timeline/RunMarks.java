@@ -8,18 +8,22 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.SliderMark;
 import faultline.gui.theme.SliderMark.MarkShape;
+import faultline.paint.surface.Palette;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /**
- * The marks on the time slider: collisions, corners, changed settings, the starts of faults, and the end of the
- * scenario. Together with the items of the lanes, these are the events to which the run can be moved.
+ * The marks on the time slider: collisions, also of the reference run, corners, changed settings, the starts of faults,
+ * and the end of the scenario. Together with the items of the lanes, these are the events to which the run can be
+ * moved.
  *
  * @param frame the newest frame
  * @param items the items of the timeline
@@ -33,9 +37,27 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items) {
         items = List.copyOf(items);
     }
 
-    /** Returns the marks of the newest frame, later ones over earlier ones, up to the last tick of the scenario. */
-    static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end) {
-        return new RunMarks(frame, items).marks(end);
+    /**
+     * Returns the marks of the newest frame, later ones over earlier ones, up to the last tick of the scenario, over
+     * those of the contacts among some events of the reference run.
+     */
+    static List<SliderMark> of(
+            SessionFrame frame, List<TimelineItem> items, long end, List<? extends RunEvent> ofGhost) {
+        List<SliderMark> marks = new ArrayList<>();
+        ofGhost.stream()
+                .filter(RunEvent.GhostCollided.class::isInstance)
+                .map(contact -> disc(contact, Palette::reference))
+                .forEach(marks::add);
+        marks.addAll(new RunMarks(frame, items).marks(end));
+        return List.copyOf(marks);
+    }
+
+    private static SliderMark disc(RunEvent contact, Function<Palette, Color> colour) {
+        return new SliderMark(
+                TimeBar.toSliderValue(contact.tick()),
+                MarkShape.DISC,
+                theme -> colour.apply(theme.palette()),
+                EventText.sentence(contact));
     }
 
     /** Returns the marked events of the newest frame, and the starts and ends of all items. */
@@ -57,14 +79,8 @@ record RunMarks(SessionFrame frame, List<TimelineItem> items) {
                     theme -> theme.palette().text(),
                     Messages.get("time.end")));
         }
-        collisions()
-                .map(collided -> new SliderMark(
-                        TimeBar.toSliderValue(collided.tick()),
-                        MarkShape.DISC,
-                        theme -> theme.palette().collision(),
-                        EventText.sentence(collided)))
-                .forEach(marks::add);
-        return List.copyOf(marks);
+        collisions().map(collided -> disc(collided, Palette::collision)).forEach(marks::add);
+        return marks;
     }
 
     private List<EventStops.Stop> stops() {

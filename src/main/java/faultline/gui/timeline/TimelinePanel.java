@@ -53,6 +53,8 @@ public final class TimelinePanel extends JPanel {
     private transient RunEvent markedEvent;
 
     private transient EventStops stops = EventStops.NONE;
+    /** The contact of the reference run; null for none. */
+    private transient RunEvent.GhostCollided ghostContact;
 
     /**
      * Creates a time line without a run. {@code jump} receives the tick to go to, and {@code preview} keyframes while
@@ -142,6 +144,11 @@ public final class TimelinePanel extends JPanel {
         return bar.tickText(tick);
     }
 
+    /** Sets the contact of the reference run, which is marked with the next frame; null for none. */
+    public void setGhostContact(RunEvent.GhostCollided contact) {
+        ghostContact = contact;
+    }
+
     /** Returns the ticks with a mark. */
     EventStops stops() {
         return stops;
@@ -177,6 +184,10 @@ public final class TimelinePanel extends JPanel {
     private void updateMarks(SessionFrame frame, long scenarioEnd) {
         EventLog log = frame.recording().events();
         RunEvent newest = log.endIndex() > log.firstIndex() ? log.get(log.endIndex() - 1) : null;
+        // The reference run may be longer than the slider.
+        List<RunEvent> ofGhost = Stream.<RunEvent>of(bar.divergence(), ghostContact)
+                .filter(event -> event != null && event.tick() <= bar.end())
+                .toList();
         List<Object> state = Arrays.asList(
                 editor.model(),
                 log.firstIndex(),
@@ -184,18 +195,15 @@ public final class TimelinePanel extends JPanel {
                 frame.snapshot().robot(),
                 scenarioEnd,
                 frame.dt(),
-                bar.divergence());
+                ofGhost);
         // Another run may have as many events, the newest one equal, but it has other event objects.
         if (newest != markedEvent || !state.equals(markedState)) {
             markedState = state;
             markedEvent = newest;
-            bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd));
+            bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd, ofGhost));
             List<EventStops.Stop> marked =
                     new ArrayList<>(RunMarks.stops(frame, editor.model().items()));
-            if (bar.divergence() != null) {
-                RunEvent.Diverged divergence = bar.divergence();
-                marked.add(new EventStops.Stop(divergence.tick(), () -> EventText.sentence(divergence)));
-            }
+            ofGhost.forEach(event -> marked.add(new EventStops.Stop(event.tick(), () -> EventText.sentence(event))));
             stops = new EventStops(marked);
         }
     }

@@ -27,6 +27,7 @@ import faultline.gui.timeline.TimelinePanel;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.robot.MotorSide;
 import faultline.scenario.Scenario;
+import faultline.world.Collision;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.List;
@@ -199,6 +200,20 @@ final class MainPanel extends JPanel {
         timeline.bar().setDivergence(divergence);
         instruments.setReference(overlay == null ? null : overlay.run());
         instruments.setDivergence(divergence);
+        RunEvent.GhostCollided contact = ghostContact(overlay);
+        timeline.setGhostContact(contact);
+        instruments.setGhostContact(contact);
+    }
+
+    /** Returns the contact of a reference run, null for none, at the tick of the run in the frame. */
+    private RunEvent.GhostCollided ghostContact(ReferenceOverlay overlay) {
+        if (overlay == null || overlay.run().collision().isEmpty()) {
+            return null;
+        }
+        Collision collision = overlay.run().collision().get();
+        SimulationSetup setup = overlay.run().setup();
+        double dt = shownFrame == null ? setup.dt() : shownFrame.dt();
+        return new RunEvent.GhostCollided(SimulationSetup.tickAt(setup.timeOf(collision.tick()), dt), collision);
     }
 
     /**

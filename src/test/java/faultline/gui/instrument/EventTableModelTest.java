@@ -9,9 +9,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.recording.EventRecorder;
 import faultline.engine.recording.RunEvent;
+import faultline.geometry.Vector2;
+import faultline.robot.MotorFaults;
+import faultline.world.Collision;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import javax.swing.JTable;
 import javax.swing.RowFilter;
@@ -265,6 +269,22 @@ class EventTableModelTest {
         assertEquals(List.of("1 Command", "1 line 0"), sentences());
         runOnEdt(events::clear);
         assertEquals(List.of(), sentences());
+    }
+
+    @Test
+    void theContactOfTheGhostIsListedWhenTheRunHasReachedItsTick() {
+        Collision collision = new Collision(new Vector2(1, 2), 0.05, 5, "desk", Map.of(), List.of(), MotorFaults.NONE);
+        recordEvent(1);
+        runOnEdt(() -> events.setGhostContact(new RunEvent.GhostCollided(5, collision)));
+        assertEquals(List.of("1 Command"), sentences());
+        recordEvent(7);
+        assertEquals(List.of("1 Command", "5 Ghost", "7 Command"), sentences());
+        updateTo(4);
+        assertEquals(List.of("1 Command", "7 Command"), sentences(), "a run that was moved back has another log");
+        updateTo(6);
+        assertEquals(List.of("1 Command", "5 Ghost", "7 Command"), sentences());
+        runOnEdt(() -> events.setGhostContact(null));
+        assertEquals(List.of("1 Command", "7 Command"), sentences());
     }
 
     @Test

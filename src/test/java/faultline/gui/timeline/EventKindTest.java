@@ -30,6 +30,9 @@ class EventKindTest {
 
     private static final Command OFF = new Command.SwitchSensor("left", false);
 
+    private static final Collision CONTACT =
+            new Collision(new Vector2(1, 2), 0.08, 8, "desk", Map.of(), List.of(), MotorFaults.NONE);
+
     private static final List<RunEvent> EVENTS = List.of(
             new RunEvent.StateChanged(1, 0.01, FollowerState.SEARCH, FollowerState.TURN, ""),
             new RunEvent.AlignmentTimed(2, 0.02, new Telemetry.EdgeTimes(0.01, 0.02, 0.005, 0), TimingRule.RANGE),
@@ -44,9 +47,9 @@ class EventKindTest {
             new RunEvent.CommandExecuted(6, 0.06, new Command.ClearFaults("left")),
             new RunEvent.CommandExecuted(7, 0.07, OFF),
             new RunEvent.CommandRefused(7, 0.07, OFF, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "left")),
-            new RunEvent.Collided(
-                    8, new Collision(new Vector2(1, 2), 0.08, 8, "desk", Map.of(), List.of(), MotorFaults.NONE)),
+            new RunEvent.Collided(8, CONTACT),
             new RunEvent.Diverged(9, 0.09),
+            new RunEvent.GhostCollided(9, CONTACT),
             new RunEvent.Printed(9, 0.09, "connected"));
 
     @Test
@@ -59,13 +62,14 @@ class EventKindTest {
     }
 
     @Test
-    void onlyTheTwoFindingsAboutASensorHaveTheSameShape() {
+    void onlyTheTwoFindingsAboutASensorAndTheContactsHaveTheSameShape() {
         List<Glyph> marks = EVENTS.stream()
                 .map(event -> EventKind.of(event).mark())
                 .distinct()
                 .toList();
-        assertEquals(EVENTS.size() - 1, marks.size(), marks.toString());
+        assertEquals(EVENTS.size() - 2, marks.size(), marks.toString());
         assertEquals(EventKind.TRUST.mark(), EventKind.DISTRUST.mark());
+        assertEquals(EventKind.COLLISION.mark(), EventKind.GHOST_COLLISION.mark());
     }
 
     @Test
@@ -89,6 +93,7 @@ class EventKindTest {
                         "Command",
                         "Refused!",
                         "Collision!",
+                        "Ghost",
                         "Ghost",
                         "Output"),
                 EVENTS.stream()

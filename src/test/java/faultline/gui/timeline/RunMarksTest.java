@@ -7,6 +7,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Recorder;
+import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SampleSessionFrames;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.theme.SliderMark;
@@ -49,7 +50,7 @@ class RunMarksTest {
                 .withController(new ControllerSpec.Drive(2, 2))
                 .withDuration(100);
         SessionFrame frame = crash(setup);
-        List<SliderMark> marks = RunMarks.of(frame, List.of(FAULT), setup.ticks());
+        List<SliderMark> marks = RunMarks.of(frame, List.of(FAULT), setup.ticks(), List.of());
         assertEquals(
                 List.of(setup.tickAt(1.5), setup.ticks(), frame.snapshot().tick()),
                 marks.stream().map(mark -> (long) mark.value()).toList());
@@ -61,6 +62,20 @@ class RunMarksTest {
                 Theme.LIGHT.palette().sensorColours(2).outline(),
                 marks.get(0).colour().apply(Theme.LIGHT));
         assertEquals(Theme.LIGHT.palette().collision(), marks.get(2).colour().apply(Theme.LIGHT));
+    }
+
+    @Test
+    void theContactOfTheGhostIsADiscOfItsColourBelowTheOtherMarks() throws ScenarioException {
+        SessionFrame frame =
+                crash(Scenario.loadShipped("office.xml").setup().withController(new ControllerSpec.Drive(2, 2)));
+        RunEvent.GhostCollided contact =
+                new RunEvent.GhostCollided(50, frame.snapshot().collision().orElseThrow());
+        List<SliderMark> marks = RunMarks.of(frame, List.of(), 0, List.of(new RunEvent.Diverged(20, 0.2), contact));
+        assertEquals(2, marks.size());
+        assertEquals(50, marks.get(0).value());
+        assertEquals(SliderMark.MarkShape.DISC, marks.get(0).form());
+        assertEquals(Theme.LIGHT.palette().reference(), marks.get(0).colour().apply(Theme.LIGHT));
+        assertEquals(EventText.sentence(contact), marks.get(0).text());
     }
 
     @Test
@@ -92,7 +107,7 @@ class RunMarksTest {
         SessionFrame frame = crash(setup);
         TimelineItem item = TimelineItem.from(CHANGE, time);
         for (List<TimelineItem> items : List.of(List.of(item), List.<TimelineItem>of())) {
-            List<SliderMark> marks = RunMarks.of(frame, items, 0);
+            List<SliderMark> marks = RunMarks.of(frame, items, 0, List.of());
             assertEquals(
                     List.of(setup.tickAt(time), frame.snapshot().tick()),
                     marks.stream().map(mark -> (long) mark.value()).toList());

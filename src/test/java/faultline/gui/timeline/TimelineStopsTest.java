@@ -6,10 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
+import faultline.robot.MotorFaults;
+import faultline.world.Collision;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -63,6 +67,28 @@ class TimelineStopsTest {
             setTimeline(slowAt(2), slowAt(3));
             panel.setFrame(frame, 1000, 1000);
             assertEquals(List.of(200L, 300L), ticksOf(panel));
+            panel.removeNotify();
+        });
+    }
+
+    @Test
+    void theContactOfTheGhostIsAStopUnlessTheGhostIsLongerThanTheRun() {
+        Collision collision = new Collision(new Vector2(1, 2), 1.5, 150, "desk", Map.of(), List.of(), MotorFaults.NONE);
+        runOnEdt(() -> {
+            TimelinePanel panel = createPanel();
+            SessionFrame frame = open.workspace().session().orElseThrow().frame();
+            setTimeline();
+            panel.setGhostContact(new RunEvent.GhostCollided(150, collision));
+            panel.setFrame(frame, 100, 100);
+            assertEquals(List.of(), ticksOf(panel));
+            panel.setFrame(frame, 1000, 1000);
+            assertEquals(List.of(150L), ticksOf(panel));
+            assertEquals(
+                    "first contact of the ghost with desk at 1.000, 2.000",
+                    panel.stops().text(150));
+            panel.setGhostContact(null);
+            panel.setFrame(frame, 1000, 1000);
+            assertEquals(List.of(), ticksOf(panel));
             panel.removeNotify();
         });
     }
