@@ -12,6 +12,7 @@ import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -21,6 +22,7 @@ import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.WeakHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
 import java.util.regex.Matcher;
@@ -44,10 +46,16 @@ public final class ControllerProviders {
     /** The version of class files is this number more than that of Java. */
     private static final int VERSION_BEFORE_JAVA_1 = 44;
 
+    /**
+     * The names of the providers that a class loader finds, so that a campaign does not make its providers for each
+     * question. Each run has providers of its own.
+     */
+    private static final Map<ClassLoader, List<String>> NAMES = Collections.synchronizedMap(new WeakHashMap<>());
+
     private ControllerProviders() {}
 
     /**
-     * {@return the provider of a name, if there is one}
+     * {@return a new provider of a name, if there is one}
      *
      * @param name the name of the controller
      * @throws RunFailedException if a provider cannot be loaded
@@ -57,12 +65,19 @@ public final class ControllerProviders {
     }
 
     /**
-     * {@return the names of all providers, in alphabetical order}
+     * {@return the names of all providers, in alphabetical order} The providers are made by the first call only.
      *
      * @throws RunFailedException if a provider cannot be loaded
      */
     public static List<String> names() {
-        return List.copyOf(all(ControllerThread.TIMEOUT).keySet());
+        ClassLoader loader = Thread.currentThread().getContextClassLoader();
+        List<String> known = NAMES.get(loader);
+        if (known != null) {
+            return known;
+        }
+        List<String> names = List.copyOf(all(ControllerThread.TIMEOUT).keySet());
+        NAMES.put(loader, names);
+        return names;
     }
 
     /**

@@ -88,7 +88,7 @@ final class ControllerReader {
     }
 
     private static boolean isProvided(String type) {
-        return !TYPE_READERS.containsKey(type) && ControllerProviders.find(type).isPresent();
+        return !TYPE_READERS.containsKey(type) && ControllerProviders.names().contains(type);
     }
 
     /** Returns the attributes of an element that a controller of its type does not have. */

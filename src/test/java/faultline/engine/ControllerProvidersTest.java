@@ -15,6 +15,7 @@ import faultline.control.Telemetry;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
+import faultline.scenario.Scenario;
 import faultline.world.WorldSpec;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -25,6 +26,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -284,6 +286,45 @@ class ControllerProvidersTest {
         assertEquals(
                 "the controller broke at tick 0: java.lang.NullPointerException: decide returned null",
                 failure(Map.of("decision", "none")));
+    }
+
+    /** A provider that counts its instances. */
+    public static final class Counted implements ControllerProvider {
+
+        private static final AtomicInteger INSTANCES = new AtomicInteger();
+
+        /** Counts this instance. */
+        public Counted() {
+            INSTANCES.incrementAndGet();
+        }
+
+        @Override
+        public String name() {
+            return "counted";
+        }
+
+        @Override
+        public Controller create(Map<String, String> settings) {
+            return ControllerFactory.create(new ControllerSpec.None());
+        }
+    }
+
+    /** One for the name, however many scenarios are read, and one for each run, so that runs share no provider. */
+    @Test
+    void aProviderIsMadeOnceForItsNameAndOnceForEachRun() throws Exception {
+        addProvider(Counted.class);
+        Path file = folder.resolve("counted.xml");
+        Scenario yard = Scenario.loadShipped("yard.xml");
+        ControllerSpec counted = new ControllerSpec.Provided("counted", 0, Map.of());
+        yard.withSetup(yard.setup().withController(counted)).save(file);
+        for (int i = 0; i < 3; i++) {
+            Scenario.load(file);
+        }
+        assertEquals(List.of("counted"), ControllerProviders.names());
+        assertEquals(1, Counted.INSTANCES.get());
+        run("counted", Map.of());
+        run("counted", Map.of());
+        assertEquals(3, Counted.INSTANCES.get());
     }
 
     /** A provider whose class cannot be initialised. */
