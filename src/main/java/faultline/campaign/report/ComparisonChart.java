@@ -77,11 +77,11 @@ final class ComparisonChart {
         for (int i = 0; i < controllers.size(); i++) {
             List<ControllerRuns.ComparedRun> runs = controllers.get(i).drawnRuns();
             for (int j = runs.size() - 1; j >= 0; j--) {
-                boolean isFirst = runs.get(j).result().seed() == setup.seed();
+                boolean isFirst = runs.get(j).seed() == setup.seed();
                 List<Vector2> points = runs.get(j).path();
                 plan.drawLine(points, style(i).withWidth(isFirst ? FIRST_WIDTH : OTHER_WIDTH));
                 Vector2 end = plan.toPicture(points.get(points.size() - 1));
-                drawEnd(surface, end, runs.get(j).result().collision().isPresent(), style(i));
+                drawEnd(surface, end, runs.get(j).collided(), style(i));
             }
         }
         return surface.toHtml("chart", "Paths of the controllers");

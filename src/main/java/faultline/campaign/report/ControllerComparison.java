@@ -4,7 +4,6 @@ import faultline.campaign.run.Csv;
 import faultline.engine.SimulationSetup;
 import faultline.io.DecimalText;
 import faultline.io.ProgramVersion;
-import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -71,12 +70,11 @@ public final class ControllerComparison {
     }
 
     private static String row(ControllerRuns controller, ControllerRuns.ComparedRun run) {
-        List<String> cells = new ArrayList<>(
-                List.of(controller.controller(), "" + run.result().seed()));
+        List<String> cells = new ArrayList<>(List.of(controller.controller(), "" + run.seed()));
         for (Metric metric : Metric.values()) {
             metric.of(run).ifPresentOrElse(value -> cells.add(metric.cell(value)), () -> cells.add(""));
         }
-        cells.addAll(List.of(run.result().finalState().name(), RunSummary.formatHash(run.result()), ""));
+        cells.addAll(List.of(run.finalState(), run.trajectoryHash(), ""));
         return Csv.row(cells);
     }
 
@@ -180,7 +178,7 @@ public final class ControllerComparison {
         Map<List<String>, List<String>> numbers = new LinkedHashMap<>();
         for (int i = 0; i < controllers.size(); i++) {
             List<String> hashes = controllers.get(i).runs().stream()
-                    .map(run -> run.result().seed() + " " + RunSummary.formatHash(run.result()))
+                    .map(run -> run.seed() + " " + run.trajectoryHash())
                     .toList();
             numbers.computeIfAbsent(hashes, runs -> new ArrayList<>()).add("" + (i + 1));
         }

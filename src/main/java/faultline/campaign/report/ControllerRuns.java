@@ -4,6 +4,7 @@ import faultline.engine.RobotPath;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunResult;
 import faultline.geometry.Vector2;
+import faultline.scenario.RunSummary;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -32,27 +33,50 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
     }
 
     /**
-     * A completed run.
+     * What is compared of a completed run. Its memory is small, because there may be thousands.
      *
-     * @param result its seed and its results
+     * @param seed the seed of its random numbers
+     * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if it is not known
+     * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
+     * @param collided whether the robot collided
+     * @param finalState the name of the controller's last state
+     * @param trajectoryHash the trajectory hash of all ticks, as it is written
+     * @param refusals the refused commands of the timeline, one sentence each, in order
      * @param path the path of the robot as it is drawn; empty if it is not drawn
      * @param metres the length of the whole path, from tick to tick
      */
-    public record ComparedRun(RunResult result, List<Vector2> path, double metres) {
+    public record ComparedRun(
+            long seed,
+            double coverageOrNaN,
+            double distanceRmsOrNaN,
+            boolean collided,
+            String finalState,
+            String trajectoryHash,
+            List<String> refusals,
+            List<Vector2> path,
+            double metres) {
 
         /**
-         * Creates a run from a copy of its path.
+         * Creates a run from copies of its lists.
          *
-         * @param result its seed and its results
+         * @param seed the seed of its random numbers
+         * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if it is not known
+         * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was
+         *     followed
+         * @param collided whether the robot collided
+         * @param finalState the name of the controller's last state
+         * @param trajectoryHash the trajectory hash of all ticks, as it is written
+         * @param refusals the refused commands of the timeline, one sentence each, in order
          * @param path the path of the robot as it is drawn; empty if it is not drawn
          * @param metres the length of the whole path, from tick to tick
          */
         public ComparedRun {
+            refusals = List.copyOf(refusals);
             path = List.copyOf(path);
         }
 
         /**
-         * {@return a run with as much of its path as is drawn} Its memory is small, because there may be thousands.
+         * {@return a run with as much of its path as is drawn}
          *
          * @param result its seed and its results
          * @param path the path of the robot
@@ -61,7 +85,21 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
          */
         public static ComparedRun of(RunResult result, RobotPath path, double metres, SimulationSetup first) {
             boolean drawn = result.seed() - first.seed() < ComparisonChart.MAX_DRAWN;
-            return new ComparedRun(result, drawn ? ComparisonChart.drawnPath(path, first.world()) : List.of(), metres);
+            return of(result, drawn ? ComparisonChart.drawnPath(path, first.world()) : List.of(), metres);
+        }
+
+        /** Returns a run with a path as it is drawn, empty if it is not drawn. */
+        static ComparedRun of(RunResult result, List<Vector2> path, double metres) {
+            return new ComparedRun(
+                    result.seed(),
+                    result.coverageOrNaN(),
+                    result.distanceRmsOrNaN(),
+                    result.collision().isPresent(),
+                    result.finalState().name(),
+                    RunSummary.formatHash(result),
+                    result.refusals(),
+                    path,
+                    metres);
         }
     }
 
@@ -71,10 +109,10 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
     /** Returns the completed runs whose seed another controller has completed, too, in the order of their seeds. */
     List<RunPair> pairs(ControllerRuns other) {
         Map<Long, ComparedRun> partners = new HashMap<>();
-        other.runs.forEach(run -> partners.put(run.result().seed(), run));
+        other.runs.forEach(run -> partners.put(run.seed(), run));
         return runs.stream()
-                .filter(run -> partners.containsKey(run.result().seed()))
-                .map(run -> new RunPair(run, partners.get(run.result().seed())))
+                .filter(run -> partners.containsKey(run.seed()))
+                .map(run -> new RunPair(run, partners.get(run.seed())))
                 .toList();
     }
 
@@ -84,11 +122,7 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
      */
     boolean areAllEqual() {
         return runs.size() > 1
-                && runs.stream()
-                                .map(run -> run.result().trajectoryHash())
-                                .distinct()
-                                .count()
-                        == 1;
+                && runs.stream().map(run -> run.trajectoryHash()).distinct().count() == 1;
     }
 
     /** Returns the completed runs whose paths are drawn. */
@@ -111,7 +145,7 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
     public List<String> refusals() {
         Map<String, Integer> counts = new LinkedHashMap<>();
         for (ComparedRun run : runs) {
-            new LinkedHashSet<>(run.result().refusals()).forEach(refusal -> counts.merge(refusal, 1, Integer::sum));
+            new LinkedHashSet<>(run.refusals()).forEach(refusal -> counts.merge(refusal, 1, Integer::sum));
         }
         return counts.entrySet().stream()
                 .map(refused -> "refused " + refused.getKey()

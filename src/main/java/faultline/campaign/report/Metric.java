@@ -1,39 +1,36 @@
 package faultline.campaign.report;
 
-import faultline.engine.metrics.RunResult;
+import faultline.campaign.report.ControllerRuns.ComparedRun;
+import faultline.engine.metrics.RunFacts;
 import faultline.io.DecimalText;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 
 /** A number of each run by which controllers are compared. */
 enum Metric {
     /** The share of the wall that was followed. */
-    COVERAGE("coverage", "the share of the wall that was followed", 3, run -> run.result()
-            .coverage()),
+    COVERAGE("coverage", "the share of the wall that was followed", 3, ComparedRun::coverageOrNaN),
     /** The error of the distance to straight walls. */
-    DISTANCE_RMS("distance_rms_m", "the distance error on straight walls, metres RMS", 4, run -> run.result()
-            .distanceRms()),
+    DISTANCE_RMS(
+            "distance_rms_m", "the distance error on straight walls, metres RMS", 4, ComparedRun::distanceRmsOrNaN),
     /** Whether the robot collided. */
-    COLLISION("collision", "the share of the runs with a collision", 2, run -> collided(run.result())),
+    COLLISION("collision", "the share of the runs with a collision", 2, run -> run.collided() ? 1 : 0),
     /** The distance that the robot drove. */
-    PATH("path_m", "the length of the path, metres", 2, run -> OptionalDouble.of(run.metres()));
+    PATH("path_m", "the length of the path, metres", 2, ComparedRun::metres);
 
     private final String column;
     private final String meaning;
     private final int decimals;
-    private final Function<ControllerRuns.ComparedRun, OptionalDouble> value;
+    /** Returns the value for a run, NaN if it has none. */
+    private final ToDoubleFunction<ComparedRun> value;
 
-    Metric(String column, String meaning, int decimals, Function<ControllerRuns.ComparedRun, OptionalDouble> value) {
+    Metric(String column, String meaning, int decimals, ToDoubleFunction<ComparedRun> value) {
         this.column = column;
         this.meaning = meaning;
         this.decimals = decimals;
         this.value = value;
-    }
-
-    private static OptionalDouble collided(RunResult result) {
-        return OptionalDouble.of(result.collision().isPresent() ? 1 : 0);
     }
 
     /** Returns the name of its column. */
@@ -56,12 +53,12 @@ enum Metric {
     }
 
     /** Returns the value for a run, empty if it has none. */
-    OptionalDouble of(ControllerRuns.ComparedRun run) {
-        return value.apply(run);
+    OptionalDouble of(ComparedRun run) {
+        return RunFacts.ifNumber(value.applyAsDouble(run));
     }
 
     /** Returns the values of those runs that have one. */
-    double[] values(List<ControllerRuns.ComparedRun> runs) {
+    double[] values(List<ComparedRun> runs) {
         return runs.stream().flatMapToDouble(run -> of(run).stream()).toArray();
     }
 
@@ -79,7 +76,7 @@ enum Metric {
      * Returns the mean of the runs that have a value, with its interval if there are at least two, and their number if
      * it is not that of all runs; "none" if there are none.
      */
-    String summary(List<ControllerRuns.ComparedRun> runs) {
+    String summary(List<ComparedRun> runs) {
         return summary(values(runs), runs.size());
     }
 

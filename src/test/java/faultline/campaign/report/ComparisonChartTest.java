@@ -170,7 +170,7 @@ class ComparisonChartTest {
                 .withController(new ControllerSpec.Drive(3, 3))
                 .withDuration(3);
         ControllerRuns.ComparedRun collided = run(blind);
-        assertTrue(collided.result().collision().isPresent());
+        assertTrue(collided.collided());
         String svg = ComparisonChart.paths(
                 blind, List.of(new ControllerRuns("blind", List.of(collided, run(1)), List.of())));
         assertEquals(1, places(DOT, svg).size(), "the other run");

@@ -29,7 +29,7 @@ class ControllerComparisonTest {
     /** Returns runs without a collision, the first with the seed 7, in which the robot drives some metres. */
     private static ControllerRuns runs(String controller, List<ControllerRuns.FailedRun> broken, double... metres) {
         List<ControllerRuns.ComparedRun> runs = Arrays.stream(metres)
-                .mapToObj(each -> new ControllerRuns.ComparedRun(result(7), List.of(), each))
+                .mapToObj(each -> ControllerRuns.ComparedRun.of(result(7), List.of(), each))
                 .toList();
         return new ControllerRuns(controller, runs, broken);
     }

@@ -1,6 +1,7 @@
 package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
@@ -12,6 +13,8 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
+import faultline.world.Snapshot;
+import java.lang.ref.WeakReference;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -33,7 +36,7 @@ class ControllerRunsTest {
     void aRefusalInSomeOfTheRunsIsGivenOnceWithTheirNumber() throws Exception {
         List<ControllerRuns.ComparedRun> runs =
                 List.of(removing("cat"), removing("cat", "dog", "dog"), removing("cat")).stream()
-                        .map(result -> new ControllerRuns.ComparedRun(result, List.of(), 0))
+                        .map(result -> ControllerRuns.ComparedRun.of(result, List.of(), 0))
                         .toList();
         assertEquals(
                 List.of(
@@ -47,7 +50,7 @@ class ControllerRunsTest {
                 Scenario.load(Path.of("scenarios/yard.xml")).setup().withDuration(0.1);
         List<ControllerRuns.ComparedRun> runs = Arrays.stream(seeds)
                 .mapToObj(seed -> HeadlessRun.run(setup.withSeed(seed), ControllerMode.DIRECT, List.of()))
-                .map(result -> new ControllerRuns.ComparedRun(result, List.of(), 0))
+                .map(result -> ControllerRuns.ComparedRun.of(result, List.of(), 0))
                 .toList();
         return new ControllerRuns(controller, runs, List.of());
     }
@@ -59,8 +62,7 @@ class ControllerRunsTest {
         assertEquals(
                 List.of("2 2", "5 5"),
                 own.pairs(other).stream()
-                        .map(pair -> pair.own().result().seed() + " "
-                                + pair.other().result().seed())
+                        .map(pair -> pair.own().seed() + " " + pair.other().seed())
                         .toList());
     }
 
@@ -74,7 +76,7 @@ class ControllerRunsTest {
                 Scenario.load(Path.of("scenarios/yard.xml")).setup().withDuration(0.2);
         RunResult other = HeadlessRun.run(longer.withSeed(2), ControllerMode.DIRECT, List.of());
         ControllerRuns varied = new ControllerRuns(
-                "varied", List.of(own.runs().get(0), new ControllerRuns.ComparedRun(other, List.of(), 0)), List.of());
+                "varied", List.of(own.runs().get(0), ControllerRuns.ComparedRun.of(other, List.of(), 0)), List.of());
         assertEquals(2, own.countedPairs(varied).size());
         assertEquals(2, varied.countedPairs(own).size());
     }
@@ -94,5 +96,19 @@ class ControllerRunsTest {
             ControllerRuns.ComparedRun run = ControllerRuns.ComparedRun.of(result, path, 0, first);
             assertEquals(seed == 150, run.path().isEmpty(), "seed " + seed);
         }
+    }
+
+    /** A comparison may have 10 000 runs in a world with as many moving obstacles. */
+    @Test
+    void theWorldAtTheEndOfARunIsNotKept() throws Exception {
+        RunResult result = removing("cat");
+        WeakReference<Snapshot> end = new WeakReference<>(result.finalSnapshot());
+        ControllerRuns.ComparedRun run = ControllerRuns.ComparedRun.of(result, List.of(), 0);
+        result = null;
+        for (int i = 0; i < 50 && end.get() != null; i++) {
+            System.gc();
+        }
+        assertNull(end.get());
+        assertEquals(1, run.refusals().size());
     }
 }

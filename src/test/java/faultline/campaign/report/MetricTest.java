@@ -28,7 +28,7 @@ class MetricTest {
                 .withController(new ControllerSpec.Drive(volts, volts))
                 .withDuration(1);
         RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
-        return new ComparedRun(result, List.of(), volts / 10);
+        return ComparedRun.of(result, List.of(), volts / 10);
     }
 
     @Test
@@ -72,7 +72,7 @@ class MetricTest {
     void aPairOfWhichARunHasNoValueHasNoDifference() {
         SimulationSetup setup = SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1.5, 0))
                 .withDuration(30);
-        ComparedRun following = new ComparedRun(HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()), List.of(), 1);
+        ComparedRun following = ComparedRun.of(HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()), List.of(), 1);
         assertFalse(Metric.COVERAGE.summary(List.of(following)).equals("none"));
         RunPair first = new RunPair(following, RESTING);
         RunPair second = new RunPair(RESTING, following);
