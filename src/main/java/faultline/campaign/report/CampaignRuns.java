@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Iterator;
@@ -35,7 +36,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** The rows of {@code runs.csv}, and the meaning of their columns according to the plan. */
@@ -93,7 +93,7 @@ final class CampaignRuns {
     }
 
     /**
-     * Returns the index of the first row of the same run as that of the next row: runs of a world with the same levels
+     * Returns the index of the first line of the same run as that of the next row: runs of a world with the same levels
      * and draws are the same if their trajectories are, because they differ in their seeds only.
      */
     private int firstEqual(List<String> cells, int[] identity, Map<List<String>, Integer> firstRuns) {
@@ -125,7 +125,10 @@ final class CampaignRuns {
         return read(campaign.readPlan(), campaign.runs());
     }
 
-    /** Reads a table. Throws an exception if a row cannot be used. */
+    /**
+     * Reads a table. Throws an exception if a row cannot be used. The rows are then in the order of the plan, whatever
+     * the order of the lines, which a spreadsheet may have sorted.
+     */
     static CampaignRuns read(CampaignPlan plan, Path table) throws IOException {
         checkLines(table);
         try (BufferedReader in = Files.newBufferedReader(table)) {
@@ -142,6 +145,7 @@ final class CampaignRuns {
             CampaignRuns campaign = new CampaignRuns(plan, parsed);
             campaign.checkColumns(table, parsed.header());
             campaign.checkRows(table);
+            campaign.rows.sort(Comparator.comparingLong(row -> Long.parseLong(row.text("run"))));
             return campaign;
         } catch (UncheckedIOException e) {
             throw e.getCause() instanceof CharacterCodingException
@@ -239,9 +243,8 @@ final class CampaignRuns {
 
     /** Returns the number of runs that repeat an earlier one. */
     long repeatCount() {
-        return IntStream.range(0, rows.size())
-                .filter(index -> rows.get(index).firstEqual() < index)
-                .count();
+        return rows.size()
+                - rows.stream().mapToInt(RunRow::firstEqual).distinct().count();
     }
 
     /** Returns whether a column has a text in any row. */

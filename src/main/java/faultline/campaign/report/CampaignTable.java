@@ -8,7 +8,6 @@ import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -47,7 +46,6 @@ public record CampaignTable(CampaignPlan plan, List<List<String>> lines, boolean
         List<List<String>> lines = new ArrayList<>();
         lines.add(columns);
         campaign.rows().stream()
-                .sorted(Comparator.comparingLong(row -> Long.parseLong(row.text("run"))))
                 .map(row -> columns.stream().map(row::text).toList())
                 .forEach(lines::add);
         return new CampaignTable(campaign.plan(), lines, new CampaignFolder(folder).isOfThisProgram(campaign.plan()));

@@ -60,7 +60,7 @@ final class Comparison {
         return column;
     }
 
-    /** Returns the levels in the order of the plan. */
+    /** Returns the rows of each level; the levels are in the order of their first rows. */
     Map<String, List<RunRow>> levels(List<RunRow> rows) {
         return CampaignRuns.group(rows, row -> row.text(column));
     }

@@ -9,8 +9,8 @@ import java.util.OptionalInt;
  * One row of {@code runs.csv}.
  *
  * @param campaign all runs of the table
- * @param firstEqual the index of the first row of the same run: its world, levels and draws are the same, and so is its
- *     trajectory, which therefore does not depend on the seed
+ * @param firstEqual the index of the first line of the same run: its world, levels and draws are the same, and so is
+ *     its trajectory, which therefore does not depend on the seed
  * @param cells the cells
  */
 record RunRow(CampaignRuns campaign, int firstEqual, List<String> cells) {

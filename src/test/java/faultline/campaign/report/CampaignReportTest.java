@@ -19,6 +19,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -306,6 +307,20 @@ class CampaignReportTest {
                 .replaceAll("&(ndash|thinsp);", " ")
                 .replaceAll("(?s)<style>.*?</style>", "");
         DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(xml)));
+    }
+
+    /**
+     * The first level of the plan is the one that the others are compared with, also after a spreadsheet has sorted.
+     */
+    @Test
+    void theOrderOfTheRowsDoesNotMatter() throws Exception {
+        String html = report("<set attribute=\"controller/@distance\" value=\"0.3 0.25\"/>");
+        assertTrue(html.contains("difference to 0.3"), html);
+        Path table = folder.resolve("runs.csv");
+        List<String> lines = new ArrayList<>(Files.readAllLines(table));
+        Collections.reverse(lines.subList(1, lines.size()));
+        Files.write(table, lines);
+        assertEquals(html, new CampaignReport(folder).html(List.of()));
     }
 
     @Test
