@@ -12,8 +12,8 @@ import java.util.function.Function;
 /**
  * A change to a running world from outside: by a window, a scenario's timeline or a test. A command is a plain value.
  * It is executed at the start of a tick and recorded in the journal with that tick. A command that names something
- * unknown, or that would make an obstacle or a larger platform overlap the robot, is refused and changes nothing (see
- * {@link World#execute}).
+ * unknown, that would make an obstacle overlap the robot or a larger platform overlap an obstacle, or that breaks
+ * another rule of {@link Refusal.Reason}, is refused and changes nothing (see {@link World#execute}).
  *
  * <p>Code that depends on the kind of command gives {@link CommandCases}, so that a new command does not compile until
  * it is handled everywhere.
