@@ -8,12 +8,12 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.NumberRange;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.ScenarioLimits;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -108,23 +108,29 @@ final class ImportCommand {
 
     private static Pose start(String text) throws UsageException {
         String[] parts = text.split(",", -1);
-        String allowed = "x,y,heading in metres and degrees";
         if (parts.length != 3) {
-            throw UsageException.ofValue("--start", text, allowed);
+            throw wrongStart(text);
         }
-        List<BigDecimal> numbers = new ArrayList<>();
-        for (String part : parts) {
-            numbers.add(parse(part).orElseThrow(() -> UsageException.ofValue("--start", text, allowed)));
-        }
-        return new Pose(numbers.get(0).doubleValue(), numbers.get(1).doubleValue(), Degrees.toRadians(numbers.get(2)));
+        double x = startNumber(text, parts[0], NumberRange.COORDINATE).doubleValue();
+        double y = startNumber(text, parts[1], NumberRange.COORDINATE).doubleValue();
+        return new Pose(x, y, Degrees.toRadians(startNumber(text, parts[2], NumberRange.ANGLE)));
+    }
+
+    private static BigDecimal startNumber(String text, String part, NumberRange range) throws UsageException {
+        return DecimalText.parse(part).filter(range::contains).orElseThrow(() -> wrongStart(text));
+    }
+
+    private static UsageException wrongStart(String text) {
+        return UsageException.ofValue(
+                "--start",
+                text,
+                "x,y,heading; x and y " + NumberRange.COORDINATE.rule() + ", heading " + NumberRange.ANGLE.rule());
     }
 
     private static BigDecimal number(String option, String text, String allowed) throws UsageException {
-        return parse(text).orElseThrow(() -> UsageException.ofValue(option, text, allowed));
-    }
-
-    private static Optional<BigDecimal> parse(String text) {
-        return DecimalText.parse(text).filter(value -> value.abs().compareTo(MAX_COORDINATE) <= 0);
+        return DecimalText.parse(text)
+                .filter(value -> value.abs().compareTo(MAX_COORDINATE) <= 0)
+                .orElseThrow(() -> UsageException.ofValue(option, text, allowed));
     }
 
     private void print(Path target, FloorPlan plan, Scenario scenario) {

@@ -224,10 +224,11 @@ class ImportCommandTest {
             --out x.xml --resolution 1 --unknown no | --unknown is "no"; expected free or wall
             --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number from 0 to 999999999
             --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells from 0 to 100000
-            --out x.xml --resolution 1 --start 1,2 | --start is "1,2"; expected x,y,heading in metres and degrees
-            --out x.xml --resolution 1 --start 1,2,3,4 | --start is "1,2,3,4"; expected x,y,heading in metres and degrees
-            --out x.xml --resolution 1 --start -100001,2,3 | --start is "-100001,2,3"; expected x,y,heading in metres and degrees
-            --out x.xml --resolution 1 --start 1,2,1e999 | --start is "1,2,1e999"; expected x,y,heading in metres and degrees
+            --out x.xml --resolution 1 --start 1,2 | --start is "1,2"; expected x,y,heading; x and y from -100000 to 100000 metres, heading from -1000000 to 1000000 degrees
+            --out x.xml --resolution 1 --start 1,2,3,4 | --start is "1,2,3,4"; expected x,y,heading; x and y from -100000 to 100000 metres, heading from -1000000 to 1000000 degrees
+            --out x.xml --resolution 1 --start -100001,2,3 | --start is "-100001,2,3"; expected x,y,heading; x and y from -100000 to 100000 metres, heading from -1000000 to 1000000 degrees
+            --out x.xml --resolution 1 --start 1,2,1000001 | --start is "1,2,1000001"; expected x,y,heading; x and y from -100000 to 100000 metres, heading from -1000000 to 1000000 degrees
+            --out x.xml --resolution 1 --start 1,2,1e999 | --start is "1,2,1e999"; expected x,y,heading; x and y from -100000 to 100000 metres, heading from -1000000 to 1000000 degrees
             """)
     void badUsageIsReported(String arguments, String sentence) throws Exception {
         assertEquals(2, importMap(arguments.split(" ")));
