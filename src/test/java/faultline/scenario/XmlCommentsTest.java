@@ -273,4 +273,68 @@ class XmlCommentsTest {
     private static XmlComments readComments(String file) {
         return XmlComments.read(file.getBytes(StandardCharsets.UTF_8));
     }
+
+    @Test
+    void theCommentsInsideATimelineStayWhenItsOnlyEventIsRemoved() throws ScenarioException {
+        String timeline =
+                """
+                  <timeline>
+                    <!-- before -->
+                    <move obstacle="p" at="1" x="4" y="3"/>
+                    <!-- after -->
+                  </timeline>
+                """;
+        assertEquals("before after", order(timeline, ""));
+    }
+
+    /** A move with two of its four attributes is the same one; with one, it is another. */
+    @Test
+    void anEventWithLessThanHalfOfTheAttributesIsAnotherOne() throws ScenarioException {
+        String before =
+                """
+                  <timeline>
+                    <!-- first -->
+                    <move obstacle="p" at="1" x="4" y="3"/>
+                    <!-- second -->
+                    <move obstacle="p" at="2" x="2" y="2"/>
+                  </timeline>
+                """;
+        String half = "<move obstacle=\"p\" at=\"5\" x=\"4\" y=\"1\"/>";
+        String less = "<move obstacle=\"p\" at=\"5\" x=\"3\" y=\"1\"/>";
+        assertEquals("first 5 second", order(before, "<timeline>" + half + "</timeline>"));
+        assertEquals("5 first second", order(before, "<timeline>" + less + "</timeline>"));
+    }
+
+    /** The first event has half of its attributes in the new first one, and more of them in the new second one. */
+    @Test
+    void theMostSimilarEventIsTheSame() throws ScenarioException {
+        String before = "<timeline><!-- first --><move obstacle=\"p\" at=\"1\" x=\"4\" y=\"3\"/></timeline>";
+        String now = "<timeline><move obstacle=\"p\" at=\"2\" x=\"4\" y=\"1\"/>"
+                + "<move obstacle=\"p\" at=\"3\" x=\"4\" y=\"3\"/></timeline>";
+        assertEquals("2 first 3", order(before, now));
+    }
+
+    /** Two of the five attributes of the first event stay, and the second event is removed. */
+    @Test
+    void anEventThatIsSimilarToNoneIsTheOneOfItsTime() throws ScenarioException {
+        String event = "<move obstacle=\"p\" at=\"%s\" x=\"%s\" y=\"%s\" heading=\"%s\"/>";
+        String before = "<timeline><!-- first -->" + event.formatted(1, 4, 3, 10) + "<!-- second -->"
+                + event.formatted(2, 4, 2, 20) + "</timeline>";
+        assertEquals("first 1 second", order(before, "<timeline>" + event.formatted(1, 3, 1, 30) + "</timeline>"));
+    }
+
+    @Test
+    void aNumberIsTheSameHoweverItIsWritten() throws ScenarioException {
+        String before =
+                """
+                  <timeline>
+                    <!-- first -->
+                    <move obstacle="p" at="5.0" x="4.00" y="1e0"/>
+                    <!-- second -->
+                    <move obstacle="p" at="5" x="3" y="2"/>
+                  </timeline>
+                """;
+        String now = before.replace("<!-- first -->", "<move obstacle=\"p\" at=\"5\" x=\"4\" y=\"2\"/>");
+        assertEquals("5 first 5 second 5", order(before, now));
+    }
 }
