@@ -89,4 +89,34 @@ class ClusteredSampleTest {
         // Weights of 3/4 and 1/4.
         assertEquals(16 / 10.0, sample.effectiveSize(), 1e-12);
     }
+
+    /** Ten clusters with one, two or three ones among their four observations. */
+    private static double effectiveSizeOfTenClusters(int repetitions) {
+        ClusteredSample clusters = new ClusteredSample();
+        for (int cluster = 0; cluster < 10; cluster++) {
+            for (int i = 0; i < 4 * repetitions; i++) {
+                int observation = i % 4;
+                clusters.add(cluster + " " + observation, "" + cluster, observation <= cluster % 3 ? 1 : 0);
+            }
+        }
+        return clusters.effectiveSize();
+    }
+
+    /** The effect is 1, because the clusters are more alike than their observations. */
+    @Test
+    void anObservationIsWorthTheSameHoweverOftenItIsRepeated() {
+        double once = effectiveSizeOfTenClusters(1);
+        assertEquals(40 * Math.pow(1.959963985 / 2.262157163, 2), once, 1e-6);
+        assertEquals(once, effectiveSizeOfTenClusters(3), 1e-9);
+    }
+
+    /** 50 worlds, each with ten equal runs, of which a third fails. */
+    @Test
+    void repetitionsOfOneObservationInEachClusterAreWorthOneObservationEach() {
+        for (int i = 0; i < 500; i++) {
+            int cluster = i / 10;
+            sample.add(cluster, "" + cluster, cluster % 3 == 0 ? 0 : 1);
+        }
+        assertEquals(50, sample.effectiveSize(), 1e-9);
+    }
 }
