@@ -276,4 +276,17 @@ class DiagnosisMetricsTest {
         assertEquals("ALL", metrics.rung());
         assertEquals(OptionalInt.of(0), metrics.falseAlarms(), "there is a diagnosis");
     }
+
+    /** It is so in tick 10, after the first fault, which lasts from 0.05 to 0.08 s, and before the second one. */
+    @Test
+    void aSensorThatIsNotTrustedBetweenItsFaultsIsNoFalseAlarm() {
+        Fault first = new Fault.Bias(0.1);
+        SimulationSetup setup = office.withTimeline(List.of(
+                new SimulationSetup.TimedCommand(0.15, new Command.InjectFault("left", new Fault.Dead())),
+                new SimulationSetup.TimedCommand(0.08, new Command.ClearFault("left", first)),
+                new SimulationSetup.TimedCommand(0.05, new Command.InjectFault("left", first))));
+        DiagnosisMetrics metrics = observe(setup, tick -> tick == 9 ? List.of(distrusted("left")) : trusted("left"));
+        assertEquals(OptionalInt.of(0), metrics.falseAlarms());
+        assertEquals(0.05, metrics.detectionDelay().orElseThrow(), 1e-9, "from 0.05 s to tick 10");
+    }
 }
