@@ -24,6 +24,11 @@ public record RunDescription(String program, String scenario, RunConditions cond
         return new RunDescription(
                 program,
                 scenario,
-                new RunConditions(setup.seed(), setup.dt(), periodTicks, setup.duration(), setup.robot()));
+                new RunConditions(
+                        setup.seed(),
+                        setup.dt(),
+                        periodTicks,
+                        setup.duration(),
+                        setup.robot().believed()));
     }
 }

@@ -92,7 +92,12 @@ public final class SimulationServer {
             for (int i = 0; i < readings.length; i++) {
                 readings[i] = simulation.reportedReading(i);
             }
-            return new Observation(simulation.ticks(), simulation.setup().dt(), simulation.robot(), readings);
+            return new Observation(simulation.ticks(), simulation.setup().dt(), robot(), readings);
+        }
+
+        /** Returns the robot as a controller believes it to be. */
+        RobotSpec robot() {
+            return simulation.robot().believed();
         }
 
         @Override
@@ -111,7 +116,7 @@ public final class SimulationServer {
      * @throws RunFailedException if a request violates the protocol
      */
     public void run(SimulationSetup setup, BooleanSupplier isClientGone) throws IOException {
-        knownRobot = setup.robot();
+        knownRobot = setup.robot().believed();
         if (!send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)))) {
             return;
         }
@@ -160,7 +165,7 @@ public final class SimulationServer {
             throw new ProtocolException(ControllerProblem.TICK, request.whole("tick"));
         }
         long ticks = request.has("ticks") ? request.whole("ticks", 1, MAX_TICKS) : 1;
-        return episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks, isAbandoned);
+        return episode.drive(DriveMessage.read(request, episode.robot()), ticks, isAbandoned);
     }
 
     private String answer(Episode episode) {

@@ -6,10 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.Decision;
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.robot.DriveScale;
+import faultline.robot.Velocity;
 import faultline.scenario.Scenario;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -133,6 +136,25 @@ class SimulationServerTest {
         assertTrue(end.startsWith("{\"type\":\"end\",\"reason\":\"duration\""), end);
         assertTrue(end.contains("\"summary\":{\"truth\":\"given to the controller\"}"), end);
         assertTrue(end.contains(String.format(Locale.ROOT, "\"trajectory_hash\":\"%016x\"", expected)), end);
+    }
+
+    /** The client learns the robot that a controller believes in, as it does as a controller. */
+    @Test
+    void aRobotWithADriveScaleIsDescribedWithoutIt() throws Exception {
+        SimulationSetup office = office();
+        SimulationSetup uneven = office.withRobot(office.robot().withDriveScale(new DriveScale(0.95, 1, 1.2)));
+        String requests =
+                "{\"type\":\"reset\"}\n{\"type\":\"drive\",\"v_m_s\":0.2,\"omega_rad_s\":0.1,\"ticks\":1000}\n";
+        List<String> expected = serveText(office, requests);
+        List<String> answers = serveText(uneven, requests);
+        assertEquals(expected.subList(0, 2), answers.subList(0, 2));
+        Decision decision = Decision.ofVelocity(office.robot(), new Velocity(0.2, 0.1), "", "");
+        SimulationSetup constant =
+                uneven.withController(new ControllerSpec.Drive(decision.leftVolts(), decision.rightVolts()));
+        long hash = HeadlessRun.run(constant, ControllerMode.DIRECT, List.of()).trajectoryHash();
+        String end = answers.get(2);
+        assertTrue(end.contains(String.format(Locale.ROOT, "\"trajectory_hash\":\"%016x\"", hash)), end);
+        assertNotEquals(expected.get(2), end);
     }
 
     @Test
