@@ -150,4 +150,21 @@ class VoidCommandsTest {
             assertEquals(before, handled);
         }
     }
+
+    /** In a tick, the commands of the timeline come before those from outside. */
+    @Test
+    void aCommandInTheTickOfTheRemovalWasNotVoid() {
+        TimedCommand move = new TimedCommand(0.05, MOVE);
+        try (Simulation simulation = start(move)) {
+            tickTo(simulation, 4);
+            simulation.execute(REMOVE);
+            tickTo(simulation, 10);
+            assertEquals(List.of("5 MoveObstacle", "5 RemoveObstacle"), handled);
+            assertEquals(
+                    List.of(move, new TimedCommand(0.05, REMOVE)),
+                    JournalScenario.create(scenario, simulation.journal())
+                            .setup()
+                            .timeline());
+        }
+    }
 }

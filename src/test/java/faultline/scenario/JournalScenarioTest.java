@@ -14,6 +14,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -80,5 +81,14 @@ class JournalScenarioTest {
         for (long tick = 0; tick < 2_000_000; tick += 97) {
             assertEquals(tick, scenario.setup().tickAt(tick * scenario.setup().dt()));
         }
+    }
+
+    /** The product of 3591 and 0.01 is 35.910000000000004. */
+    @Test
+    void theTimesOfAJournalHaveNoRoundingError() throws ScenarioException {
+        Scenario scenario = Scenario.load(Path.of("scenarios/yard.xml"));
+        Journal.Entry entry = new Journal.Entry(3591, new Command.ClearFaults("front"));
+        Scenario replay = JournalScenario.create(scenario, new Journal(scenario.setup(), List.of(entry), 4000));
+        assertEquals(35.91, replay.setup().timeline().get(0).time());
     }
 }

@@ -187,4 +187,16 @@ class VariantSectionsTest {
         assertTrue(chart.contains("<title>carried on over fault_onset_s</title>"), chart);
         assertTrue(chart.contains(">fault_onset_s (s)</text>"), chart);
     }
+
+    @Test
+    void aNumberThatIsTheSameAtBothLevelsHasNoBoldDifference() throws ScenarioException {
+        lines.add(List.of("run", "block", "world", "speed", "carried_on", "coverage"));
+        for (int block = 0; block < 10; block++) {
+            addRun(block, "0.2", "1", "0.5");
+            addRun(block, "0.3", "1", "0.5");
+        }
+        CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
+        String section = new VariantSections(new CampaignRuns(plan, lines)).comparisons();
+        assertTrue(section.contains("<td>0<br><small>0 to 0; 10 pairs</small></td>"), section);
+    }
 }

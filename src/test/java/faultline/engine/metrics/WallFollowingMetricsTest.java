@@ -7,6 +7,7 @@ import faultline.control.Controller;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.control.WallSide;
 import faultline.engine.CommandListener;
@@ -200,5 +201,32 @@ class WallFollowingMetricsTest {
     void ofControllersThatFollowNoWallNothingIsSaid() {
         RunResult result = run(new ControllerSpec.Drive(1, 1), 10);
         assertTrue(result.coverage().isEmpty() && result.distanceRms().isEmpty());
+    }
+
+    /** Metrics of a robot that has been 0.05 m too far from the lower wall, and now wants 0.4 m and not 0.1 m. */
+    private static WallFollowingMetrics afterAChangeFromTheWall() {
+        ControllerSpec.WallFollowing near = ControllerSpec.WallFollowing.DEFAULT.withDistance(0.1);
+        double side = RobotSpec.DEFAULT.width() / 2;
+        WallFollowingMetrics metrics = new WallFollowingMetrics(setup(near, 1));
+        metrics.measureStart(near, RobotSpec.DEFAULT, new Vector2(2, side + 0.15), FollowerState.FOLLOW);
+        metrics.measureStart(
+                near.withDistance(0.4), RobotSpec.DEFAULT, new Vector2(2, side + 0.43), FollowerState.FOLLOW);
+        return metrics;
+    }
+
+    /** The errors are 0.05 and 0.03 m. The second place is more than twice as far from the wall as was first wanted. */
+    @Test
+    void afterAChangeOfTheWantedDistanceWallsThatWereTooFarAreFound() {
+        double error = Math.sqrt((0.05 * 0.05 + 0.03 * 0.03) / 2);
+        assertEquals(error, afterAChangeFromTheWall().followRms().orElse(-1), 1e-12);
+    }
+
+    /** Places are compared 0.3 m nearer to the wall, but not behind it. */
+    @ParameterizedTest
+    @CsvSource({"0.53, 0.23", "0.3, 0", "0.15, 0"})
+    void aPlaceNearerThanTheChangeOfTheWantedDistanceStaysOnItsSideOfTheWall(double y, double expected) {
+        Vector2 place = afterAChangeFromTheWall().atStartDistance(new Vector2(2, y));
+        assertEquals(2, place.x());
+        assertEquals(expected, place.y(), 1e-12);
     }
 }
