@@ -16,7 +16,8 @@ import java.util.List;
  * wall they lie at plus and minus the phi0 that solves R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R,
  * half the cone b, the mounting offset a and the distance D from the centre to the wall. Turning back for half of the
  * time ends in their middle, which is parallel if the edges are symmetric. With the range rule the robot stops short of
- * the middle by the motors' lag and half a period.
+ * the middle by the motors' lag and half a period. The edges are found numerically: by steps of the heading and by
+ * bisection.
  */
 record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 position) {
 

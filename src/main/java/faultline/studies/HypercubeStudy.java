@@ -30,7 +30,7 @@ final class HypercubeStudy implements Figure {
     private static final String CAPTION =
             """
             Eq. (4) with seven quantities drawn at once by a Latin hypercube: the measured heading error over that of \
-            the closed form, n\u00a0=\u00a0%d trials for each rule, one a marker. Negative: turned away from the \
+            the theory, n\u00a0=\u00a0%d trials for each rule, one a marker. Negative: turned away from the \
             wall. Dotted: measured as by theory.""";
 
     /** The quantities, in the order of the columns. */

@@ -37,7 +37,7 @@ record ParameterSweep(
             """
             Eq. (4): the heading error at the hand-over to FOLLOW, one marker a trial (n\u00a0=\u00a0%d by the range \
             rule, %d by equal readings), all other quantities at their defaults. Positive: turned towards the wall. \
-            Lines: the closed form; shaded: half of what the robot turns in a control period T, since the range rule \
+            Lines: the theory; shaded: half of what the robot turns in a control period T, since the range rule \
             sees each edge up to T late.""";
     private static final String MISSING = " In %d more trials there was no such hand-over.";
 
