@@ -2,7 +2,6 @@ package faultline.campaign.run;
 
 import faultline.io.DecimalText;
 import faultline.io.Message;
-import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.DoublePredicate;
@@ -69,11 +68,16 @@ enum CellKind {
                 || this != HASH && Double.isInfinite(number(text));
     }
 
-    /** Returns the value of a decimal number, NaN for any other text. */
+    /**
+     * Returns the value of a decimal number, infinite if it is beyond all doubles; NaN for any other text. A zero keeps
+     * its sign.
+     */
     static double number(String text) {
         double number = DecimalText.parseShort(text);
         return Double.isNaN(number)
-                ? DecimalText.parse(text).map(BigDecimal::doubleValue).orElse(Double.NaN)
+                ? DecimalText.parse(text)
+                        .map(exact -> DecimalText.toDouble(exact, text))
+                        .orElse(Double.NaN)
                 : number;
     }
 }

@@ -1,10 +1,8 @@
 package faultline.campaign.run;
 
-import faultline.io.DecimalText;
 import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioLimits;
-import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -90,8 +88,7 @@ public final class RowCheck {
      * @param text the text of the cell
      */
     public static OptionalDouble number(String text) {
-        Optional<BigDecimal> exact = DecimalText.parse(text);
-        double number = exact.isPresent() ? DecimalText.toDouble(exact.get(), text) : Double.NaN;
+        double number = CellKind.number(text);
         return Double.isFinite(number) ? OptionalDouble.of(number) : OptionalDouble.empty();
     }
 
