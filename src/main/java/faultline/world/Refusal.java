@@ -27,7 +27,8 @@ public record Refusal(Reason reason, String subject) {
         /** No more obstacles may move. */
         TOO_MANY_MOVING("at most %s obstacles may move"),
         /** The obstacle would visit all its waypoints in too little time. */
-        SHORT_LOOP("%s would be too fast for its waypoints: it must take 0.01 s or more to visit all of them"),
+        SHORT_LOOP("%s would be too fast for its waypoints: it must take " + WaypointPath.MIN_LOOP_TIME
+                + " s or more to visit all of them"),
         /** The id is that of the enclosing wall. */
         RESERVED_ID("%s is the name of the enclosing wall"),
         /** A controller that is not part of the program has no settings that can change. */

@@ -6,6 +6,7 @@ import faultline.campaign.plan.PlannedRun;
 import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.RunResult;
+import faultline.engine.walls.Coverage;
 import faultline.io.DecimalText;
 import faultline.io.MessageText;
 import faultline.scenario.RunSummary;
@@ -86,7 +87,8 @@ public final class ResultColumns {
                     "coverage",
                     "",
                     CellKind.SHARE,
-                    "share of the wall that was followed within 0.05 m in the whole run",
+                    "share of the wall that was followed within " + DecimalText.format(Coverage.TOLERANCE)
+                            + " m in the whole run",
                     run -> fixed(run.result().coverage().orElse(Double.NaN), 4)),
             new ResultColumn(
                     "distance_rms_m",

@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
 public final class Coverage {
 
     /** The greatest distance at which the robot passes a place, metres. */
-    static final double TOLERANCE = 0.05;
+    public static final double TOLERANCE = 0.05;
 
     /**
      * The greatest distance between two points of the robot's path that are looked at, metres; between points farther
