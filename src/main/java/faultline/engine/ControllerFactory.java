@@ -119,8 +119,7 @@ public final class ControllerFactory {
         try {
             closeable.close();
         } catch (IllegalStateException e) {
-            throw new RunFailedException(
-                    RunProblem.NOT_CLOSED.with(RunFailedException.describe(e.getCause())), e.getCause());
+            throw new RunFailedException(RunProblem.NOT_CLOSED.with(ExceptionText.of(e.getCause())), e.getCause());
         }
     }
 

@@ -242,9 +242,7 @@ public final class ControllerProviders {
     /** Returns the message of an error, with the exception of the provider's class or constructor that caused it. */
     private static String reason(Throwable error) {
         Throwable cause = error.getCause();
-        return cause == null
-                ? String.valueOf(error.getMessage())
-                : error.getMessage() + ": " + RunFailedException.describe(cause);
+        return cause == null ? String.valueOf(error.getMessage()) : error.getMessage() + ": " + ExceptionText.of(cause);
     }
 
     private static String name(ControllerProvider provider, double timeout) {

@@ -46,7 +46,7 @@ final class ControllerThread implements AutoCloseable {
             try {
                 return new CallOutcome<>(call.call(), null, null);
             } catch (Throwable failure) {
-                return new CallOutcome<>(null, failure, RunFailedException.describe(failure));
+                return new CallOutcome<>(null, failure, ExceptionText.of(failure));
             }
         }
 

@@ -2,9 +2,6 @@ package faultline.engine;
 
 import faultline.control.RecordEndedException;
 import faultline.io.Message;
-import faultline.io.MessageText;
-import java.util.Arrays;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Supplier;
@@ -17,9 +14,6 @@ import java.util.function.Supplier;
 public class RunFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
-
-    /** The greatest length of an exception of a controller as text, as of a line of a child's standard error. */
-    private static final int MAX_LENGTH = 400;
 
     /** The reasons whose cause is an exception of a controller, or of what loads, creates or closes it. */
     private static final Set<RunProblem> OF_CONTROLLER = Set.of(
@@ -69,7 +63,7 @@ public class RunFailedException extends RuntimeException {
      * @param cause the exception of the controller
      */
     public static RunFailedException ofController(long tick, Throwable cause) {
-        return ofController(tick, cause, () -> describe(cause));
+        return ofController(tick, cause, () -> ExceptionText.of(cause));
     }
 
     /** Returns the exception for a run whose controller threw another one, given what describes that one. */
@@ -92,50 +86,5 @@ public class RunFailedException extends RuntimeException {
         return broken.getCause() instanceof RunFailedException failed
                 ? failed
                 : new RunFailedException(otherwise.with(broken.getMessage()), broken.getCause());
-    }
-
-    /**
-     * Returns an exception of a controller as text, which its own methods may fail to give, and the line that threw it,
-     * if there is one outside of the JDK and this program.
-     */
-    static String describe(Throwable exception) {
-        try {
-            Throwable reason = reason(exception);
-            String start = MessageText.shortened(reason.toString(), MAX_LENGTH);
-            return place(reason.getStackTrace(), Thread.currentThread().getStackTrace())
-                    .map(place -> start + " at " + MessageText.start(place.toString(), MAX_LENGTH))
-                    .orElse(start);
-        } catch (RuntimeException | Error e) {
-            return exception.getClass().getName() + ", whose text cannot be read";
-        }
-    }
-
-    /**
-     * Returns an exception, or its cause if it says nothing else. If the initialisation of a class has failed, later
-     * uses of the class throw an error whose cause has the text and the place of the first one.
-     */
-    private static Throwable reason(Throwable exception) {
-        Throwable cause = exception.getCause();
-        boolean saysNothingElse = exception.getMessage() == null || cause instanceof ExceptionInInitializerError;
-        return cause != null && saysNothingElse ? cause : exception;
-    }
-
-    /**
-     * Returns the innermost frame of neither the JDK nor this program. The frames that the caller of the controller is
-     * in itself, such as those of a test, are not the controller's.
-     */
-    private static Optional<StackTraceElement> place(StackTraceElement[] thrown, StackTraceElement[] caller) {
-        int own = thrown.length;
-        for (int i = caller.length; own > 0 && i > 0 && thrown[own - 1].equals(caller[i - 1]); i--) {
-            own--;
-        }
-        return Arrays.stream(thrown, 0, own)
-                .filter(frame -> !isOfJdk(frame) && !frame.getClassName().startsWith("faultline."))
-                .findFirst();
-    }
-
-    private static boolean isOfJdk(StackTraceElement frame) {
-        String module = frame.getModuleName();
-        return module != null && (module.startsWith("java.") || module.startsWith("jdk."));
     }
 }
