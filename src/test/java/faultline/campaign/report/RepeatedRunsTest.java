@@ -89,6 +89,17 @@ class RepeatedRunsTest {
         assertIndependentRuns(10, campaign());
     }
 
+    /** The robot may stand still, or meet nothing in which the worlds differ. */
+    @Test
+    void runsInOtherWorldsAreObservationsOfTheirOwn() {
+        for (int world = 0; world < 10; world++) {
+            addRun(world, "on", "0.3", "feed");
+            lines.get(lines.size() - 1).set(header.indexOf("world"), "world " + world);
+        }
+        assertEquals(0, campaign().repeatCount());
+        assertIndependentRuns(10, campaign());
+    }
+
     /** A run that failed has no trajectory. */
     @Test
     void runsWithoutATrajectoryAreObservationsOfTheirOwn() {
