@@ -314,7 +314,10 @@ public final class CarryOnMetrics implements TickObserver {
         lastPass[place] = travelled;
     }
 
-    /** {@return whether more of the run cannot change the verdict: there was a contact, or the time is up} */
+    /**
+     * {@return whether the verdict is known: there was a contact, or the time is up} Only a later contact could change
+     * it.
+     */
     public boolean isDecided() {
         return collided || circuit.size() > 0 && time > deadline;
     }
