@@ -1,11 +1,17 @@
 package faultline.app;
 
+import faultline.campaign.report.ControllerComparison;
 import faultline.io.AtomicFile;
 import faultline.io.AtomicFileGroup;
 import faultline.io.MessageText;
+import faultline.scenario.xml.XmlFile;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -68,15 +74,36 @@ final class ComparisonFiles implements AutoCloseable {
         Arguments.requireDistinct(inputs, all());
     }
 
-    /** Opens all files. */
+    /** Opens all files. Throws an exception if one beside the page would replace a file of another kind. */
     void open() throws IOException {
         AtomicFile openedPage = group.create(page);
         opened.put(page, openedPage);
         if (!openedPage.isStream()) {
+            requireOwn(table, isTable(table));
             opened.put(table, group.create(table));
             for (Path replay : replays) {
+                requireOwn(replay, XmlFile.isRecordedScenario(replay));
                 opened.put(replay, group.create(replay));
             }
+        }
+    }
+
+    /** The user has named only the page, so a file beside it is replaced only if a comparison may have written it. */
+    private static void requireOwn(Path file, boolean own) throws IOException {
+        if (Files.isRegularFile(file) && !own) {
+            throw new IOException(MessageText.oneLine(file.toString())
+                    + ": compare would replace or delete this file, which no comparison has written;"
+                    + " use another name in --out");
+        }
+    }
+
+    private static boolean isTable(Path file) throws IOException {
+        byte[] header = ControllerComparison.csvHeader().getBytes(StandardCharsets.UTF_8);
+        if (!Files.isReadable(file) || !Files.isRegularFile(file)) {
+            return false;
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            return Arrays.equals(header, in.readNBytes(header.length));
         }
     }
 

@@ -422,7 +422,7 @@ class CompareCommandTest {
     void aReplayThatCannotBeSavedIsReportedLastAndAnOldOneIsDeleted() throws Exception {
         Path file = OutputFilesTest.scenarioWithTooLongAJournal(folder);
         List<Path> replays = List.of(folder.resolve("page-1.xml"), folder.resolve("page-2.xml"));
-        Files.writeString(replays.get(0), "old");
+        Files.writeString(replays.get(0), "<scenario xmlns=\"urn:faultline:scenario:1\" recorded=\"true\"/>");
         CommandResult result = command(
                 "compare",
                 file.toString(),

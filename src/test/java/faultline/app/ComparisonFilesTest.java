@@ -2,10 +2,13 @@ package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.campaign.report.ControllerComparison;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioLimits;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -50,6 +53,29 @@ class ComparisonFilesTest {
             files.commit();
             assertTrue(Files.exists(files.replay(1)));
             assertFalse(Files.exists(files.replay(0)));
+        }
+    }
+
+    @Test
+    void theFilesOfAnEarlierComparisonAreReplaced(@TempDir Path folder) throws Exception {
+        Scenario room = Scenario.loadShipped("office.xml");
+        Scenario replay = new Scenario("", "", true, room.setup(), room.expectation());
+        try (ComparisonFiles files = new ComparisonFiles(folder.resolve("page.html"), 1)) {
+            Files.writeString(files.table(), ControllerComparison.csvHeader() + "none,1,0.5,,0.0,1,NONE,00,\n");
+            replay.save(files.replay(0));
+            files.open();
+            files.write(files.table(), new byte[0]);
+            files.commit();
+            assertEquals(0, Files.size(files.table()));
+            assertFalse(Files.exists(files.replay(0)));
+        }
+    }
+
+    @Test
+    void aScenarioThatIsNoRecordIsNotReplaced(@TempDir Path folder) throws Exception {
+        try (ComparisonFiles files = new ComparisonFiles(folder.resolve("page.html"), 1)) {
+            Scenario.loadShipped("office.xml").save(files.replay(0));
+            assertThrows(IOException.class, files::open);
         }
     }
 }

@@ -70,6 +70,28 @@ class OutputFilesTest {
         assertEquals(Files.readString(SCENARIO), Files.readString(file));
     }
 
+    /** The user has named only the page. A series of scenarios is named as the replays are. */
+    @ParameterizedTest
+    @CsvSource({"room.csv, controller;seed", "room-1.xml, <scenario/>", "room-2.xml, notes"})
+    void compareRefusesToReplaceFilesThatNoComparisonHasWritten(String name, String content) throws Exception {
+        Path other = Files.writeString(folder.resolve(name), content);
+        String message = refusal(
+                "compare",
+                scenario(),
+                "--controller=none",
+                "--controller=wall-follower",
+                "--until=1",
+                "--out=" + folder.resolve("room.html"));
+        assertEquals(
+                "faultline: " + other + ": compare would replace or delete this file, which no comparison has written;"
+                        + " use another name in --out\n",
+                message);
+        assertEquals(content, Files.readString(other));
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(2, files.count(), "the scenario and the other file");
+        }
+    }
+
     @Test
     void twoOutputsThatAreOneFileByALinkAreRefused() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("new.csv"));

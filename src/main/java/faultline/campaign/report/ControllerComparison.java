@@ -49,14 +49,19 @@ public final class ControllerComparison {
         return windowCommands;
     }
 
-    /** {@return one row for each run} */
-    public String csv() {
-        StringBuilder out = new StringBuilder(Csv.row(Stream.concat(
+    /** {@return the first line of every table, with its line feed} */
+    public static String csvHeader() {
+        return Csv.row(Stream.concat(
                         Stream.of("controller", "seed"),
                         Stream.concat(
                                 Arrays.stream(Metric.values()).map(Metric::column),
                                 Stream.of("state", "trajectory_hash", "problem")))
-                .toList()));
+                .toList());
+    }
+
+    /** {@return the header and one row for each run} */
+    public String csv() {
+        StringBuilder out = new StringBuilder(csvHeader());
         for (ControllerRuns controller : controllers) {
             controller.runs().forEach(run -> out.append(row(controller, run)));
             for (ControllerRuns.FailedRun broken : controller.broken()) {

@@ -6,6 +6,8 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import org.xml.sax.Attributes;
 import org.xml.sax.SAXException;
@@ -22,10 +24,29 @@ public final class XmlFile {
         /** Null until the root element is read. */
         private String namespace;
 
+        private final Map<String, String> attributes = new HashMap<>();
+
+        /** Creates a reader that has read as much of a file as it can. */
+        static RootReader of(Path file) {
+            RootReader root = new RootReader();
+            try {
+                if (Files.isRegularFile(file) && Files.size(file) <= ScenarioLimits.MAX_BYTES) {
+                    try (InputStream in = Files.newInputStream(file)) {
+                        XmlParser.newParser().parse(in, root);
+                    }
+                }
+            } catch (SAXException | IOException e) {
+                // The root element has been read, or the file is reported when all of it is read.
+            }
+            return root;
+        }
+
         @Override
-        public void startElement(String uri, String localName, String qName, Attributes attributes)
-                throws SAXException {
+        public void startElement(String uri, String localName, String qName, Attributes given) throws SAXException {
             namespace = uri;
+            for (int i = 0; i < given.getLength(); i++) {
+                attributes.put(given.getQName(i), given.getValue(i));
+            }
             throw new SAXException("the rest of the file is not needed");
         }
     }
@@ -37,17 +58,17 @@ public final class XmlFile {
      * @param file the file
      */
     public static Optional<String> rootNamespace(Path file) {
-        RootReader root = new RootReader();
-        try {
-            if (Files.isRegularFile(file) && Files.size(file) <= ScenarioLimits.MAX_BYTES) {
-                try (InputStream in = Files.newInputStream(file)) {
-                    XmlParser.newParser().parse(in, root);
-                }
-            }
-        } catch (SAXException | IOException e) {
-            // The root element has been read, or the file is reported when all of it is read.
-        }
-        return Optional.ofNullable(root.namespace);
+        return Optional.ofNullable(RootReader.of(file).namespace);
+    }
+
+    /**
+     * {@return whether a file is a scenario that is the record of a run, as far as its root element says}
+     *
+     * @param file the file
+     */
+    public static boolean isRecordedScenario(Path file) {
+        RootReader root = RootReader.of(file);
+        return XmlFormat.SCENARIO.namespace().equals(root.namespace) && "true".equals(root.attributes.get("recorded"));
     }
 
     /**
