@@ -31,16 +31,27 @@ def factors(runs):
     return names[names.index("seed") + 1 : names.index("outcome")]
 
 
+def identity(run, factors):
+    """What only repetitions of a run have in common: the world, the values of the factors, and all results but the hash.
+
+    If the error of the distance was not measured, the hash takes the place of the results."""
+    if not run["trajectory_hash"]:
+        return run["run"]
+    names = list(run)
+    results = [name for name in names[names.index("outcome") :] if name != "trajectory_hash"] if run["follow_rms_m"] else ["trajectory_hash"]
+    return tuple(run[name] for name in ("world", *factors, *results))
+
+
 quantiles = {}
 
 
 def worth(runs_of_group, share, worlds, factors):
     """The number of independent runs that some runs are worth: n by the design effect of their worlds, less for few worlds.
 
-    Runs with the same world, values of the factors and trajectory are one run, and belong to the cluster of the first."""
+    Repetitions of a run belong to the cluster of the first."""
     clusters, weights, first = defaultdict(list), Counter(), {}
     for run in runs_of_group:
-        key = tuple(run[name] for name in ("world", "trajectory_hash", *factors)) if run["trajectory_hash"] else run["run"]
+        key = identity(run, factors)
         weights[key] += 1
         cluster, _ = first.setdefault(key, (run["world" if worlds > 1 else "block"], int(run["carried_on"])))
         clusters[cluster].append(int(run["carried_on"]) - share)

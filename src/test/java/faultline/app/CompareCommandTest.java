@@ -160,9 +160,23 @@ class CompareCommandTest {
         assertEquals(List.of("wall-follower", "3"), cells(lines.get(1)).subList(0, 2));
         assertEquals("0.00", cells(lines.get(1)).get(4), "no interval of one run");
         assertTrue(cells(lines.get(2)).get(4).startsWith("0.00 ["), lines::toString);
-        String remark = "he completed runs of wall-follower are the same run, which counts once";
+        String remark = "he completed runs of wall-follower have the same results and count once";
         assertTrue(result.out.contains("\nseeds: t" + remark + "\n"), result.out);
         assertTrue(Files.readString(page()).contains(" T" + remark + "."));
+    }
+
+    /** A robot that drives by constant voltages meets no noise, but its sensors do. */
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void runsThatOnlyReadNoiseCountOnce() {
+        CommandResult result =
+                compare("--controller", "none", "--controller", STRAIGHT, "--seeds", "3", "--until", "5");
+        assertEquals(0, result.code, result.err);
+        List<String> lines = result.out.lines().toList();
+        assertEquals("0.00", cells(lines.get(2)).get(4), "no interval of one run");
+        assertEquals("0.00", cells(lines.get(3)).get(4), "no interval of one pair");
+        assertTrue(result.out.contains("\nseeds: the completed runs of none have the same results and count once\n"));
+        assertFalse(result.out.contains("random"), result.out);
     }
 
     private static List<String> cells(String line) {

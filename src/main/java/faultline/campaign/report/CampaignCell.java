@@ -75,7 +75,7 @@ public record CampaignCell(
 
     /**
      * {@return the number of runs of a table that repeat an earlier one: they have the same world, levels, draws and
-     * trajectory, because nothing in them is random. Intervals count a run and its repetitions once}
+     * results, because nothing random changes them. Intervals count a run and its repetitions once}
      *
      * @param plan the plan of the campaign
      * @param lines the cells of the header and of the rows of {@code runs.csv}

@@ -146,7 +146,7 @@ public final class CampaignReport {
                 ? ""
                 : Html.paragraph(
                         "Repeated runs (" + count + ") differ from an earlier one only in their seed, because nothing"
-                                + " in them is random. Intervals count a run and its repetitions once.");
+                                + " random changes their results. Intervals count a run and its repetitions once.");
     }
 
     private String undecided() {

@@ -47,6 +47,9 @@ final class CampaignRuns {
     private static final List<String> NEEDED_COLUMNS =
             List.of("run", "block", "world", "seed", "outcome", "carried_on", "collided");
 
+    private static final String HASH = "trajectory_hash";
+    private static final String FOLLOW_ERROR = "follow_rms_m";
+
     private final CampaignPlan plan;
     private final List<FaultColumns> faults;
     private final Map<String, Integer> indices = new HashMap<>();
@@ -88,27 +91,39 @@ final class CampaignRuns {
             indices.putIfAbsent(table.header().get(i), i);
         }
         Map<List<String>, Integer> firstRuns = new HashMap<>();
-        int[] identity = identityColumns();
-        table.rows().forEach(cells -> rows.add(new RunRow(this, firstEqual(cells, identity, firstRuns), cells)));
+        int[] byTrajectory = identityColumns(Stream.of(HASH));
+        int[] byResults = identityColumns(ResultColumns.names().filter(name -> !name.equals(HASH)));
+        table.rows().forEach(cells -> {
+            int[] identity = text(cells, FOLLOW_ERROR).isEmpty() ? byTrajectory : byResults;
+            rows.add(new RunRow(this, firstEqual(cells, identity, firstRuns), cells));
+        });
     }
 
     /**
-     * Returns the index of the first line of the same run as that of the next row: runs of a world with the same levels
-     * and draws are the same if their trajectories are, because they differ in their seeds only.
+     * Returns the index of the first line of the same run as that of the next row. Runs of a world with the same levels
+     * and draws differ in their seeds only. They are the same if all their results are, to the last digit. The
+     * trajectory hash is no such result: it covers the noise of sensors that nothing uses. It decides if the error of
+     * the distance was not measured, because the other results of different runs are easily equal.
      */
     private int firstEqual(List<String> cells, int[] identity, Map<List<String>, Integer> firstRuns) {
         int next = rows.size();
-        int hash = index("trajectory_hash");
-        if (plan.seedCount() == 1 || hash < 0 || cells.get(hash).isEmpty()) {
+        if (plan.seedCount() == 1 || text(cells, HASH).isEmpty()) {
             return next;
         }
         List<String> run = Arrays.stream(identity).mapToObj(cells::get).toList();
         return firstRuns.computeIfAbsent(run, first -> next);
     }
 
-    private int[] identityColumns() {
+    /** Returns a cell of a row, empty if there is no such column. */
+    String text(List<String> cells, String column) {
+        int index = index(column);
+        return index < 0 ? "" : cells.get(index);
+    }
+
+    /** Returns the indices of some columns and of those that tell the world, the levels and the draws. */
+    private int[] identityColumns(Stream<String> names) {
         return Stream.concat(
-                        Stream.of("trajectory_hash", "world"),
+                        Stream.concat(Stream.of("world"), names),
                         plan.factorColumns().stream().map(Column::name))
                 .mapToInt(this::index)
                 .filter(index -> index >= 0)

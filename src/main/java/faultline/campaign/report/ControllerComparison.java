@@ -135,18 +135,18 @@ public final class ControllerComparison {
     }
 
     /**
-     * {@return a sentence for each controller whose completed runs are all equal, which count as one run; one sentence
-     * if nothing is random in any run}
+     * {@return a sentence for each controller whose completed runs have equal results, which count as one run; one
+     * sentence if nothing is random in any run}
      */
     public List<String> seedRemarks() {
         List<ControllerRuns> equal =
                 controllers.stream().filter(ControllerRuns::areAllEqual).toList();
-        if (equal.equals(controllers)
+        if (controllers.stream().allMatch(ControllerRuns::haveOneTrajectory)
                 && controllers.stream().allMatch(runs -> runs.broken().isEmpty())) {
             return List.of("nothing in these runs is random, so every seed gives the same run");
         }
         return equal.stream()
-                .map(runs -> "the completed runs of " + runs.controller() + " are the same run, which counts once")
+                .map(runs -> "the completed runs of " + runs.controller() + " have the same results and count once")
                 .toList();
     }
 

@@ -88,6 +88,11 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
             return of(result, drawn ? ComparisonChart.drawnPath(path, first.world()) : List.of(), metres);
         }
 
+        /** Returns the results that do not depend on readings, for comparisons to the last bit. */
+        private List<Object> results() {
+            return List.of(coverageOrNaN, distanceRmsOrNaN, collided, finalState, metres);
+        }
+
         /** Returns a run with a path as it is drawn, empty if it is not drawn. */
         static ComparedRun of(RunResult result, List<Vector2> path, double metres) {
             return new ComparedRun(
@@ -117,12 +122,19 @@ public record ControllerRuns(String controller, List<ComparedRun> runs, List<Fai
     }
 
     /**
-     * Returns whether several completed runs have one trajectory, so that they tell no more than one run. Then their
-     * seeds make no difference.
+     * Returns whether several completed runs have equal results, among them the length of the path to the last bit, so
+     * that they tell no more than one run. Their trajectory hashes may differ, by the noise of sensors that the
+     * controller does not use.
      */
     boolean areAllEqual() {
         return runs.size() > 1
-                && runs.stream().map(run -> run.trajectoryHash()).distinct().count() == 1;
+                && runs.stream().map(ComparedRun::results).distinct().count() == 1;
+    }
+
+    /** Returns whether several completed runs have one trajectory and equal readings: nothing in them is random. */
+    boolean haveOneTrajectory() {
+        return runs.size() > 1
+                && runs.stream().map(ComparedRun::trajectoryHash).distinct().count() == 1;
     }
 
     /** Returns the completed runs whose paths are drawn. */

@@ -9,16 +9,15 @@ import java.util.OptionalInt;
  * One row of {@code runs.csv}.
  *
  * @param campaign all runs of the table
- * @param firstEqual the index of the first line of the same run: its world, levels and draws are the same, and so is
- *     its trajectory, which therefore does not depend on the seed
+ * @param firstEqual the index of the first line of the same run: its world, levels and draws are the same, and so are
+ *     its results, which therefore do not depend on the seed
  * @param cells the cells
  */
 record RunRow(CampaignRuns campaign, int firstEqual, List<String> cells) {
 
     /** Returns a cell, empty if there is no such column. */
     String text(String column) {
-        int index = campaign.index(column);
-        return index < 0 ? "" : cells.get(index);
+        return campaign.text(cells, column);
     }
 
     /** Returns a cell as a number, empty if it holds none. */

@@ -17,6 +17,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The columns of {@code runs.csv}: the run, its factors, and its results. */
 public final class ResultColumns {
@@ -180,6 +181,11 @@ public final class ResultColumns {
         columns.addAll(plan.factorColumns());
         RESULTS.forEach(result -> columns.add(result.column()));
         return columns;
+    }
+
+    /** {@return the names of the columns of results, in their order} */
+    public static Stream<String> names() {
+        return RESULTS.stream().map(result -> result.column.name());
     }
 
     /** Returns the header row of a plan's table. */

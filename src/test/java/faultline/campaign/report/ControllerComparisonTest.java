@@ -117,8 +117,8 @@ class ControllerComparisonTest {
                 comparison("Room", whole, whole).seedRemarks());
         assertEquals(
                 List.of(
-                        "the completed runs of broken are the same run, which counts once",
-                        "the completed runs of whole are the same run, which counts once"),
+                        "the completed runs of broken have the same results and count once",
+                        "the completed runs of whole have the same results and count once"),
                 comparison("Room", runs("broken", BROKEN, 1, 1), whole).seedRemarks());
         assertEquals(List.of(), comparison("Room", runs("single", List.of(), 1)).seedRemarks());
     }

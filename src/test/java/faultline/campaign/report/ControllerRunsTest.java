@@ -76,7 +76,7 @@ class ControllerRunsTest {
                 Scenario.load(Path.of("scenarios/yard.xml")).setup().withDuration(0.2);
         RunResult other = HeadlessRun.run(longer.withSeed(2), ControllerMode.DIRECT, List.of());
         ControllerRuns varied = new ControllerRuns(
-                "varied", List.of(own.runs().get(0), ControllerRuns.ComparedRun.of(other, List.of(), 0)), List.of());
+                "varied", List.of(own.runs().get(0), ControllerRuns.ComparedRun.of(other, List.of(), 0.1)), List.of());
         assertEquals(2, own.countedPairs(varied).size());
         assertEquals(2, varied.countedPairs(own).size());
     }

@@ -33,7 +33,7 @@ class RepeatedRunsTest {
     Path folder;
 
     private final List<String> header =
-            new ArrayList<>(List.of("run", "block", "world", "carried_on", "trajectory_hash"));
+            new ArrayList<>(List.of("run", "block", "world", "carried_on", "trajectory_hash", "follow_rms_m"));
     private final List<List<String>> lines = new ArrayList<>(List.of(header));
     private CampaignPlan plan;
 
@@ -44,8 +44,12 @@ class RepeatedRunsTest {
     }
 
     private void addRun(int seed, String diagnosis, String value, String hash) {
+        addRun(seed, diagnosis, value, hash, "");
+    }
+
+    private void addRun(int seed, String diagnosis, String value, String hash, String error) {
         List<String> cells = new ArrayList<>(Collections.nCopies(header.size(), ""));
-        List<String> first = List.of(Integer.toString(lines.size() - 1), Integer.toString(seed), "a", "1", hash);
+        List<String> first = List.of(Integer.toString(lines.size() - 1), Integer.toString(seed), "a", "1", hash, error);
         for (int i = 0; i < first.size(); i++) {
             cells.set(i, first.get(i));
         }
@@ -97,6 +101,24 @@ class RepeatedRunsTest {
             lines.get(lines.size() - 1).set(header.indexOf("world"), "world " + world);
         }
         assertEquals(0, campaign().repeatCount());
+        assertIndependentRuns(10, campaign());
+    }
+
+    /** The trajectory hash covers the noise of a sensor that the controller does not use. */
+    @Test
+    void runsWithEqualResultsAreOneObservation() {
+        for (int seed = 0; seed < 10; seed++) {
+            addRun(seed, "on", "0.3", "feed" + seed, "0.001234");
+        }
+        assertIndependentRuns(1, campaign());
+        assertEquals(9, campaign().repeatCount());
+    }
+
+    @Test
+    void runsWithOtherResultsAreObservationsOfTheirOwn() {
+        for (int seed = 0; seed < 10; seed++) {
+            addRun(seed, "on", "0.3", "feed" + seed, "0.00123" + seed);
+        }
         assertIndependentRuns(10, campaign());
     }
 
