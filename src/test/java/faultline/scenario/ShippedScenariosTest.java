@@ -15,11 +15,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every file in the folder scenarios and below it, run against what it expects. */
-class ShippedScenariosTest {
+public class ShippedScenariosTest {
 
     private static final Path FOLDER = Path.of("scenarios");
 
-    static List<Path> files() throws IOException {
+    public static List<Path> files() throws IOException {
         try (Stream<Path> files = Files.walk(FOLDER)) {
             return files.filter(file -> file.toString().endsWith(".xml"))
                     .filter(file -> !file.startsWith(FOLDER.resolve("campaigns")))
