@@ -70,7 +70,7 @@ class FormatNoteTest {
                         + " names with the ending .html or .htm fit\n",
                 errors(command + "@q.csv"));
         assertEquals("<!DOCT", start("q.csv").toUpperCase(Locale.ROOT));
-        assertEquals("", errors(command + "@q.html"));
+        assertEquals("", errors(command + "@r.html"));
     }
 
     @ParameterizedTest
