@@ -22,6 +22,8 @@ public enum ControllerProblem implements Message.Template {
     LAST_LINE("{0}; its last line on standard error: {1}"),
     /** The last line of a traceback, with a file and a line of the program. */
     AT_LINE("{0} ({1}, line {2})"),
+    /** The last of several lines that follow the traceback of an exception. */
+    AFTER_EXCEPTION("{0}, after the exception {1}"),
     /** A sentence with several lines of the standard error of the child. */
     LAST_LINES("{0}; its last line on standard error: {1}; the lines before: {2}"),
 

@@ -63,8 +63,8 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     /** The state of a child without a name until it names one. */
     private static final String NAMELESS_STATE = "EXTERN";
 
-    /** A line of a traceback that only marks a part of the line above it. */
-    private static final Pattern MARKS = Pattern.compile("[ ~^]*");
+    /** A line of a traceback that only marks a part of the line above it, or the border of a group of exceptions. */
+    private static final Pattern MARKS = Pattern.compile("[ |~^]*| *\\+-[-+ 0-9]*");
 
     private final Message who;
     private final ChildProcess child;
@@ -217,7 +217,21 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         return last == 0
                 ? ControllerProblem.LAST_LINE.with(sentence, words.get(last))
                 : ControllerProblem.LAST_LINES.with(
-                        sentence, withOwnLine(words.get(last), words), String.join(" | ", words.subList(0, last)));
+                        sentence, withException(words), String.join(" | ", words.subList(0, last)));
+    }
+
+    /**
+     * Returns the last of several lines. If it is no exception, but follows one, such as a further line of its message,
+     * the exception is added.
+     */
+    private static Object withException(List<String> lines) {
+        String last = lines.get(lines.size() - 1);
+        List<String> traceback = PythonTraceback.beginning(lines);
+        return traceback.isEmpty() || traceback.size() == lines.size()
+                ? withOwnLine(last, lines)
+                : ControllerProblem.AFTER_EXCEPTION.with(
+                        PythonTraceback.withoutMargin(last),
+                        withOwnLine(traceback.get(traceback.size() - 1), traceback));
     }
 
     /** Adds the line of the user's program to the reason of a traceback. */

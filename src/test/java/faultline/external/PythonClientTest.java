@@ -125,6 +125,7 @@ class PythonClientTest {
             faultline.velocities(float('nan'), 0) | ValueError: a drive needs finite numbers, not nan
             faultline.volts(0, float('inf'))      | ValueError: a drive needs finite numbers, not inf
             input()                               | EOFError: EOF when reading a line
+            exec("raise ValueError('a\\\\nb')")    | b, after the exception ValueError: a
             """)
     void aMistakeOfAFollowerIsToldWithItsLine(String expression, String error, @TempDir Path folder) throws Exception {
         Files.copy(EXAMPLES.resolve("faultline.py"), folder.resolve("faultline.py"));

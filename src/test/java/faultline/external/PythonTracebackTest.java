@@ -40,4 +40,35 @@ class PythonTracebackTest {
                 Optional.of(new PythonTraceback.ProgramLine("robot.py", "4")),
                 PythonTraceback.findOwnLine(lines.subList(0, 4)));
     }
+
+    @Test
+    void furtherLinesFollowTheException() {
+        List<String> lines = List.of(
+                "starting",
+                "Traceback (most recent call last):",
+                "  File \"robot.py\", line 4, in <module>",
+                "    raise ValueError(text)",
+                "ValueError: line one",
+                "  File \"data.py\", line 7",
+                "line three");
+        assertEquals(lines.subList(0, 5), PythonTraceback.beginning(lines));
+        assertEquals(lines.subList(0, 5), PythonTraceback.beginning(lines.subList(0, 5)));
+        assertEquals(List.of(), PythonTraceback.beginning(lines.subList(2, 7)));
+    }
+
+    @Test
+    void theExceptionOfAGroupIsThatOfAllItsMembers() {
+        List<String> lines = List.of(
+                "  + Exception Group Traceback (most recent call last):",
+                "  |   File \"robot.py\", line 4, in <module>",
+                "  |     raise group",
+                "  | ExceptionGroup: many (1 sub-exception)",
+                "    | Traceback (most recent call last):",
+                "    |   File \"robot.py\", line 9, in member",
+                "    | ValueError: a");
+        List<String> beginning = PythonTraceback.beginning(lines);
+        assertEquals("ExceptionGroup: many (1 sub-exception)", beginning.get(beginning.size() - 1));
+        assertEquals(
+                Optional.of(new PythonTraceback.ProgramLine("robot.py", "4")), PythonTraceback.findOwnLine(beginning));
+    }
 }
