@@ -2,7 +2,9 @@ package faultline.external;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
+import faultline.io.ShellText;
 import faultline.scenario.xml.Allowed;
+import java.io.File;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -52,11 +54,14 @@ public final class ControllerNames {
     }
 
     /**
-     * Returns a hint for a command of one word that is not the name of a program, such as a misspelt name; empty for a
-     * path.
+     * Returns a hint for a command of one word that is not the name of a program, such as a misspelt name, and for an
+     * unquoted path with blanks; empty for another path.
      */
     static Object hint(String command) {
         String word = command.strip();
+        if (word.contains(" ") && new File(word).isFile()) {
+            return ControllerProblem.UNQUOTED.with(ShellText.quoted(word));
+        }
         List<String> names = all();
         return word.contains(" ") || word.contains("/") || word.contains("\\")
                 ? ""

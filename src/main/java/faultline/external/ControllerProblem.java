@@ -39,6 +39,8 @@ public enum ControllerProblem implements Message.Template {
     NO_INTERPRETER("the interpreter that its first line names does not exist"),
     /** The file may not be executed. */
     NOT_EXECUTABLE("the file is not executable"),
+    /** The path is a folder. */
+    FOLDER("this is a folder; expected a program"),
     /** The file cannot be executed. */
     NOT_A_PROGRAM("the file is not a program"),
     /** A reason with the usual name of Python. */
@@ -57,6 +59,8 @@ public enum ControllerProblem implements Message.Template {
     /** A jar whose file for controllers names none. */
     NO_NAMED_CLASS("the jar {0} has no controller, because its file {1} names no class of one; expected the full name"
             + " of the controller''s class"),
+    /** The hint for a command that is the name of a file with blanks. */
+    UNQUOTED("; a path with blanks is one word in quotes: {0}"),
     /** The hint for a misspelt name. */
     NAMES("; names of controllers are {0}"),
 

@@ -35,6 +35,9 @@ final class StartFailure {
         if (!error.find()) {
             return RunProblem.OTHER.with(message);
         }
+        if (new File(program).isDirectory() && error.group(1).equals(NOT_PERMITTED)) {
+            return ControllerProblem.FOLDER.with();
+        }
         return switch (error.group(1)) {
             case MISSING -> withHint(missing(program), program);
             case NOT_PERMITTED -> withHint(ControllerProblem.NOT_EXECUTABLE, program);

@@ -52,6 +52,23 @@ class StartFailureTest {
     }
 
     @Test
+    void aFolderIsNoProgram(@TempDir Path folder) {
+        assertEquals(
+                "this is a folder; expected a program",
+                describe(folder.toString(), "Cannot run program: error=13, Permission denied"));
+    }
+
+    @Test
+    void anUnquotedPathWithBlanksIsGivenInQuotes(@TempDir Path folder) throws IOException {
+        String script = Files.writeString(folder.resolve("my robot.py"), "import faultline")
+                .toString();
+        assertEquals(
+                "; a path with blanks is one word in quotes: \"" + script + "\"",
+                ControllerNames.hint(script).toString());
+        assertEquals("", ControllerNames.hint(script + " x").toString());
+    }
+
+    @Test
     void aJarIsNoProgram() {
         assertEquals(
                 "the file is not executable; the controllers of a jar are added with --jar or in the window with"
