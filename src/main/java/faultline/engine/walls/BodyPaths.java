@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 public final class BodyPaths {
 
     /** The greatest spacing of the places of these paths, metres; they are joined up to twice the spacing. */
-    private static final double MAX_SPACING = 0.04;
+    private static final double MAX_SPACING = 0.02;
 
     private final int[] paths;
     private final double[] lengths;
@@ -46,11 +46,9 @@ public final class BodyPaths {
         if (width / 2 >= distance) {
             return same(circuit);
         }
-        // In a passage as wide as the platform, places on both sides are twice the spacing apart, and just joined.
-        // Those
-        // on both sides of a thin wall are farther apart.
-        double spacing = Math.min(MAX_SPACING, width / 5);
-        double bodyDistance = width / 2 - spacing;
+        // Places on both sides of a thin wall are as far apart as the platform is wide, so that they are not joined.
+        double spacing = Math.min(MAX_SPACING, width / 4);
+        double bodyDistance = width / 2;
         try {
             List<WallReference.WallSample> places = new WallReference(world).samplesAlongPath(bodyDistance, spacing);
             return beside(circuit, bodyDistance, new JoinedPlaces(places, 2 * spacing));
