@@ -69,11 +69,20 @@ class HostileFilesTest {
                 "file.xml:1:20: this is not well-formed XML, after \"<a:scenario name=\"a\"",
                 problemIn("<a:scenario name=\"a<b\"/>"));
         assertEquals(
-                "file.xml:1:1: the bytes are not text in the encoding that the file names; expected UTF-8",
+                "file.xml:1:1: the file names the encoding \"klingon\", which is not supported; expected UTF-8",
                 problemIn("<?xml version=\"1.0\" encoding=\"klingon\"?><scenario/>"));
         assertEquals(
-                "file.xml:1:17: the bytes are not text in the encoding that the file names; expected UTF-8",
+                "file.xml:1:17: the bytes are not text in UTF-8, and the file names no other encoding",
                 problemIn("<scenario name=\"\u00ff\"/>".getBytes(StandardCharsets.ISO_8859_1)));
+    }
+
+    @Test
+    void anEncodingThatDoesNotFitTheBytesIsReported() throws IOException {
+        String declaration = "<?xml version='1.0' encoding='%s'?><scenario/>";
+        String other = "the bytes are not text in the encoding that the file names; expected UTF-8";
+        for (String name : List.of("IBM037", "UTF-16")) {
+            assertEquals(other, problemIn(declaration.formatted(name)).split(": ", 2)[1]);
+        }
     }
 
     /** A file that was written twice or padded by a crash. */

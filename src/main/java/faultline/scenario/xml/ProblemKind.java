@@ -62,6 +62,10 @@ public enum ProblemKind implements Message.Template {
     TOO_MANY_MOVING("<{0}> \"{1}\" is moving obstacle number {2}; expected at most {3} (maxMoving of <world>)"),
     /** The file is not in the encoding that it names. */
     ENCODING("the bytes are not text in the encoding that the file names; expected UTF-8"),
+    /** The encoding that the file names is unknown. */
+    UNKNOWN_ENCODING("the file names the encoding {0}, which is not supported; expected UTF-8"),
+    /** The file names no encoding, and is not in the usual one. */
+    NOT_UTF8("the bytes are not text in UTF-8, and the file names no other encoding"),
     /** The XML parser failed for another reason. */
     UNREADABLE_XML("this cannot be read as XML"),
     /** The file has a document type declaration. */

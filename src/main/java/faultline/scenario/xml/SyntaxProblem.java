@@ -3,8 +3,13 @@ package faultline.scenario.xml;
 import faultline.io.Message;
 import faultline.io.MessageText;
 import java.io.CharConversionException;
+import java.nio.charset.Charset;
+import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.xml.sax.SAXParseException;
 
@@ -13,6 +18,11 @@ import org.xml.sax.SAXParseException;
  * never shown.
  */
 final class SyntaxProblem {
+
+    /** The longest beginning of a file in which its encoding is looked for, bytes. */
+    private static final int MAX_DECLARATION = 500;
+
+    private static final Pattern DECLARATION = Pattern.compile("<\\?xml[^>]*\\sencoding\\s*=\\s*[\"']([^\"'>]+)");
 
     private final byte[] bytes;
     private final XmlFormat format;
@@ -32,13 +42,13 @@ final class SyntaxProblem {
             return ProblemKind.DOCTYPE.with();
         }
         if (e.getException() instanceof CharConversionException) {
-            return ProblemKind.ENCODING.with();
+            return describeEncoding(bytes);
         }
         if (message.startsWith("JAXP")) {
             return ProblemKind.PARSER_LIMIT.with();
         }
-        if (tree.isEmpty() && looksLikeUtf16()) {
-            return ProblemKind.ENCODING.with();
+        if (tree.isEmpty() && (looksLikeUtf16() || isInAnotherEncoding())) {
+            return describeEncoding(bytes);
         }
         String before = excerpt(e);
         List<XmlElement> open = tree.openElements();
@@ -50,6 +60,43 @@ final class SyntaxProblem {
         return before.isEmpty()
                 ? ProblemKind.MALFORMED_INSIDE.with(element, line)
                 : ProblemKind.MALFORMED_AFTER_INSIDE.with(before, element, line);
+    }
+
+    /** Describes a file whose bytes are not text in its encoding. */
+    static Message describeEncoding(byte[] bytes) {
+        return namedEncoding(bytes).isEmpty() ? ProblemKind.NOT_UTF8.with() : ProblemKind.ENCODING.with();
+    }
+
+    /** Describes a file whose encoding the parser does not know. */
+    static Message describeUnknownEncoding(byte[] bytes) {
+        return namedEncoding(bytes)
+                .map(name -> ProblemKind.UNKNOWN_ENCODING.with(MessageText.quoted(name)))
+                .orElseGet(ProblemKind.NOT_UTF8::with);
+    }
+
+    /** Returns the encoding that the declaration at the beginning names, also if each letter has several bytes. */
+    private static Optional<String> namedEncoding(byte[] bytes) {
+        String beginning = new String(bytes, 0, Math.min(bytes.length, MAX_DECLARATION), StandardCharsets.ISO_8859_1);
+        Matcher declaration = DECLARATION.matcher(beginning.replace("\0", ""));
+        return declaration.find() ? Optional.of(declaration.group(1)) : Optional.empty();
+    }
+
+    /** Returns whether the declaration is in ASCII and names an encoding in which it would have other bytes. */
+    private boolean isInAnotherEncoding() {
+        byte[] ascii = "<?xml".getBytes(StandardCharsets.US_ASCII);
+        return Arrays.equals(ascii, Arrays.copyOf(bytes, ascii.length))
+                && namedEncoding(bytes)
+                        .filter(SyntaxProblem::isSupported)
+                        .filter(name -> !Arrays.equals(ascii, "<?xml".getBytes(Charset.forName(name))))
+                        .isPresent();
+    }
+
+    private static boolean isSupported(String encoding) {
+        try {
+            return Charset.isSupported(encoding) && Charset.forName(encoding).canEncode();
+        } catch (IllegalCharsetNameException e) {
+            return false;
+        }
     }
 
     private Message describeBeginning(String before) {

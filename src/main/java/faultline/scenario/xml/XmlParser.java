@@ -109,9 +109,9 @@ final class XmlParser extends DefaultHandler {
                     new SourceLocation(e.getLineNumber(), e.getColumnNumber()),
                     new SyntaxProblem(bytes, format, this).describe(e));
         } catch (UnsupportedEncodingException e) {
-            problems.add(XML_DECLARATION, ProblemKind.ENCODING.with());
+            problems.add(XML_DECLARATION, SyntaxProblem.describeUnknownEncoding(bytes));
         } catch (CharConversionException e) {
-            problems.add(SourceLocation.NONE, ProblemKind.ENCODING.with());
+            problems.add(SourceLocation.NONE, SyntaxProblem.describeEncoding(bytes));
         } catch (SAXException | IOException e) {
             problems.add(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with());
         }
