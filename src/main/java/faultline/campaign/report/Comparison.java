@@ -4,7 +4,9 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -60,9 +62,24 @@ final class Comparison {
         return column;
     }
 
-    /** Returns the rows of each level; the levels are in the order of their first rows. */
+    /**
+     * Returns the rows of each level, in the order of the plan, also if a part of a campaign begins with a later one.
+     */
     Map<String, List<RunRow>> levels(List<RunRow> rows) {
-        return CampaignRuns.group(rows, row -> row.text(column));
+        Map<String, List<RunRow>> levels = new LinkedHashMap<>();
+        CampaignRuns.group(rows, row -> row.text(column)).entrySet().stream()
+                .sorted(Comparator.comparingLong(level -> firstCell(level.getValue())))
+                .forEach(level -> levels.put(level.getKey(), level.getValue()));
+        return levels;
+    }
+
+    /** Returns the index of the first cell of the plan that some rows belong to. */
+    private long firstCell(List<RunRow> rows) {
+        return rows.stream()
+                .mapToLong(
+                        row -> Long.parseLong(row.text("run")) % campaign.plan().cellCount())
+                .min()
+                .orElseThrow();
     }
 
     private String pairKey(RunRow row) {

@@ -299,7 +299,10 @@ public final class CarryOnMetrics implements TickObserver {
         }
         last = centre;
         circuit.forEachPassed(centre, this::pass);
-        passedInTime |= time <= deadline && share().orElse(0) >= REQUIRED_SHARE;
+        if (time <= deadline && share().orElse(0) >= REQUIRED_SHARE) {
+            passedInTime = true;
+            trail.clear();
+        }
     }
 
     private void pass(int place) {

@@ -57,6 +57,17 @@ class VariantSectionsTest {
         assertTrue(comparison(5, 6).contains("Student's t over seeds and draws"), comparison(5, 6));
     }
 
+    /** A part of a campaign may begin with any combination of levels. */
+    @Test
+    void aPartThatBeginsWithTheSecondLevelIsComparedWithTheFirst() throws ScenarioException {
+        comparison(10, 0);
+        lines.remove(1);
+        CampaignPlan plan = plan("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
+        String part = new VariantSections(new CampaignRuns(plan, lines)).comparisons();
+        assertTrue(part.contains("<b>-100</b>"), part);
+        assertTrue(part.contains("<title>speed 0.3 less 0.2, percentage points</title>"), part);
+    }
+
     @Test
     void aLevelWithoutOthersIsNotCompared() throws ScenarioException {
         lines.add(List.of("run", "block", "world", "speed", "carried_on"));
