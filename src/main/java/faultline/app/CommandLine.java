@@ -203,7 +203,7 @@ final class CommandLine {
                 COMMANDS.stream()
                         .filter(command -> command.startsWith("--") == option)
                         .toList());
-        return hint.isEmpty() && option ? "; options follow it" : hint;
+        return hint.isEmpty() && option ? "; options come last" : hint;
     }
 
     /** Returns the help of a command, or of all if none is named, for a word that asks for it. */

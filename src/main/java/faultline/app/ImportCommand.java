@@ -74,9 +74,10 @@ final class ImportCommand {
         return FloorPlan.read(image(map, parsed), options);
     }
 
-    private static MapDescription image(Path map, Arguments parsed) throws UsageException {
+    private static MapDescription image(Path map, Arguments parsed) throws UsageException, IOException {
         Optional<String> resolution = parsed.value("--resolution");
         if (resolution.isEmpty()) {
+            FloorPlan.checkImage(map);
             throw new UsageException("an image needs --resolution M, the side of a pixel in metres");
         }
         BigDecimal side = number("--resolution", resolution.get(), MapDescription.RESOLUTIONS);

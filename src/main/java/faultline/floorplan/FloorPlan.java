@@ -112,6 +112,16 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
         }
     }
 
+    /**
+     * Checks that a file is an image that can be read.
+     *
+     * @param file the file
+     * @throws FloorPlanException if it is not
+     */
+    public static void checkImage(Path file) throws FloorPlanException {
+        MapImageReader.read(file);
+    }
+
     /** Traces classified cells. */
     static FloorPlan trace(MapDescription description, OccupancyGrid grid, Options options) throws FloorPlanException {
         description.requireSize(grid.width(), grid.height());

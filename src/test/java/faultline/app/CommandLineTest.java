@@ -291,7 +291,7 @@ class CommandLineTest {
             import a.png --out -            | --out is "-"; expected the name of a file; standard output is /dev/stdout, and a file named - is ./-
             import a.png --out new/         | --out is "new/"; expected the name of a file, which does not end with a slash
             --version 0.1.0                 | --version takes nothing, not "0.1.0"
-            --controller none x.xml         | there is no command "--controller"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; options follow it
+            --controller none x.xml         | there is no command "--controller"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; options come last
             --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --window, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             --window a.xml b.xml            | the window takes one scenario file, not also "b.xml"
@@ -318,7 +318,7 @@ class CommandLineTest {
             run a.xml --seed                | --seed needs a value
             run a.xml --film --until 5      | --film needs a value, and "--until" is an option
             run a.xml --seed +3 --pace 0    | --pace is "0"; expected a multiple of real time from 0.001 to 1000000
-            import a.png --out b --min-cells +3 | an image needs --resolution M, the side of a pixel in metres
+            import a.png --out b --min-cells +3 --resolution 0 | --resolution is "0"; expected a number of metres from 0.000001 to 100000
             compare a.xml --controller none --controller x --out b --seeds +10001 | --seeds is "+10001"; expected a whole number from 1 to 10000
             run a.xml --seed 1 --seed 2     | --seed is given twice
             run a.xml --seed 1.5            | --seed is "1.5"; expected a whole number from -9223372036854775808 to 9223372036854775807

@@ -194,6 +194,13 @@ class ImportCommandTest {
     }
 
     @Test
+    void aMissingImageIsReportedBeforeAMissingResolution() throws Exception {
+        Path none = folder.resolve("none.png");
+        assertEquals(2, commandLine().run("import", none.toString(), "--out", folder + "/x.xml"));
+        assertEquals("faultline: " + none + ": there is no such image file\n", err.toString(StandardCharsets.UTF_8));
+    }
+
+    @Test
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "links may not be permitted")
     void aFileOfWhichNobodyCanTellWhetherItExistsIsNotCalledMissing() throws Exception {
         // As in a folder without permission, from which a superuser is not kept.

@@ -7,6 +7,8 @@ import faultline.io.MessageText;
 public enum PlanProblem implements Message.Template {
     /** The file is no plan. */
     ROOT("the root element is <{0}>; expected <campaign xmlns=\"{1}\">"),
+    /** The file is empty. */
+    EMPTY("the file is empty; expected a campaign plan"),
     /** Two columns have the same name. */
     DUPLICATE_COLUMN("two columns of runs.csv would have the name \"{0}\"; expected unique names"
             + " (set another with the attribute name)"),

@@ -6,6 +6,7 @@ import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.ScenarioLimits;
+import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import java.util.ArrayList;
@@ -43,6 +44,10 @@ final class PlanReader {
      */
     static CampaignPlan read(String name, byte[] bytes, PlanFiles.Resolver resolver) throws ScenarioException {
         Problems problems = new Problems(name);
+        if (bytes.length == 0) {
+            problems.add(new SourceLocation(1, 1), PlanProblem.EMPTY.with());
+        }
+        problems.throwIfAny();
         PlanReader reader = new PlanReader(problems);
         Optional<CampaignPlan> plan =
                 XmlElement.parse(bytes, problems, FORMAT).flatMap(root -> reader.read(name, bytes, root, resolver));

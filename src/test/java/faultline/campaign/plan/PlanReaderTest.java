@@ -298,6 +298,12 @@ class PlanReaderTest {
     }
 
     @Test
+    void anEmptyFileIsReportedAsOne() {
+        ScenarioException refusal = assertThrows(ScenarioException.class, () -> SamplePlan.read(""));
+        assertEquals("plan.xml:1:1: the file is empty; expected a campaign plan", refusal.getMessage());
+    }
+
+    @Test
     void aWorldWithoutAValidFileIsReportedOnce() {
         String plan = SamplePlan.text("", "<worlds><scenario file=\"a,b.xml\"/></worlds>");
         PlanFiles.Resolver none = (number, name) -> {
