@@ -3,7 +3,7 @@
 Observation: one number in [0, 1] for each sensor, the reading as a share of its range; 1 for nothing within range, and
 1 for a sensor that does not answer, followed by one 0 or 1 for each sensor that tells whether it answered.
 Action: the voltage of each side as a share of the supply, in [-1, 1]. Reward: the distance driven ahead along the
-robot's heading while the left sensor reads close to the wanted distance, less 1 for a collision.
+robot's heading while the left sensor reads close to the wanted distance, less 1 for a collision. Nothing is rendered.
 """
 
 import gymnasium
@@ -18,6 +18,8 @@ class WallFollowingEnv(gymnasium.Env):
     metadata = {"render_modes": []}
 
     def __init__(self, scenario="scenarios/office.xml", ticks=10, wanted_distance=0.25, command=None):
+        if not wanted_distance > 0:
+            raise ValueError(f"wanted_distance is {wanted_distance}; expected a number of metres above 0")
         self._simulator = faultline.Simulator(scenario, truth=True, command=command)
         self._ticks = ticks
         self._wanted = wanted_distance
@@ -41,11 +43,16 @@ class WallFollowingEnv(gymnasium.Env):
 
     def step(self, action):
         if self._pose is None:
-            raise RuntimeError("there is no episode yet; reset begins one")
+            raise RuntimeError("there is no episode, or it is over; reset begins one")
+        if numpy.shape(action) != (2,):
+            shape = numpy.shape(action)
+            raise ValueError(f"the action has the shape {shape}; expected (2,), for the left and the right side")
         left, right = (float(share) * self._supply for share in numpy.clip(action, -1.0, 1.0))
         sight = self._simulator.step(faultline.volts(left, right), self._ticks)
         collided = bool(sight.truth["collided"])
         reward = self._progress(sight) - (1.0 if collided else 0.0)
+        if collided or self._simulator.done:
+            self._pose = None
         return self._observation(sight), reward, collided, bool(self._simulator.done and not collided), {}
 
     def _progress(self, sight):
@@ -60,6 +67,9 @@ class WallFollowingEnv(gymnasium.Env):
         shares = [min(1.0, sight.distance(name, reach) / reach) for name, reach in self._ranges.items()]
         answers = [0.0 if sight[name] is faultline.NO_ANSWER else 1.0 for name in self._ranges]
         return numpy.array(shares + answers, dtype=numpy.float32)
+
+    def render(self):
+        raise NotImplementedError("this environment has no pictures; run --film makes one of a run with the same seed")
 
     def close(self):
         self._simulator.close()

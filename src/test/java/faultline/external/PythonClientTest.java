@@ -435,11 +435,39 @@ class PythonClientTest {
                 except RuntimeError as e:
                     print(e)
                 print(environment._simulator.reset().tick)
+                environment._pose = {}
+                sys.modules["numpy"].shape = lambda action: (len(action),)
+                try:
+                    environment.step([0.0, 0.0, 0.0])
+                except ValueError as e:
+                    print(e)
                 del environment
                 gc.collect()
                 print(process.poll())
                 """);
-        assertEquals("there is no episode yet; reset begins one\n0\n0\n", output.text());
+        assertEquals(
+                """
+                there is no episode, or it is over; reset begins one
+                0
+                the action has the shape (3,); expected (2,), for the left and the right side
+                0
+                """,
+                output.text());
+    }
+
+    @Test
+    void theGymnasiumEnvironmentNeedsAWantedDistance() throws Exception {
+        Output output = python(
+                "-c",
+                WITHOUT_PACKAGES
+                        + """
+                import faultline_gym
+                try:
+                    faultline_gym.WallFollowingEnv(wanted_distance=0)
+                except ValueError as e:
+                    print(e)
+                """);
+        assertEquals("wanted_distance is 0; expected a number of metres above 0\n", output.text());
     }
 
     @Test
