@@ -114,8 +114,14 @@ final class ComparisonChart {
         return out.append("</ol>\n").toString();
     }
 
-    /** Returns a row for each controller: a mark for each run, and the interval of the mean. */
+    /**
+     * Returns a row for each controller: a mark for each run, and the interval of the mean; a sentence if no run has
+     * the number.
+     */
     static String spread(Metric metric, List<ControllerRuns> controllers) {
+        if (controllers.stream().allMatch(runs -> metric.values(runs.runs()).length == 0)) {
+            return Html.paragraph("No data: " + metric.meaning() + ".");
+        }
         List<Series> series = new ArrayList<>();
         DoubleStream.Builder shown = DoubleStream.builder();
         for (int i = 0; i < controllers.size(); i++) {

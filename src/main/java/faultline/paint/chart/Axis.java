@@ -52,12 +52,17 @@ public record Axis(String label, double low, double high, boolean logarithmic, L
 
     /**
      * Returns a linear axis that includes all finite values and starts and ends at multiples of a nice step. It starts
-     * lower if the values would span less than a minimum, so that its ticks are readable.
+     * lower if the values would span less than a minimum, so that its ticks are readable. If none of them is negative,
+     * it does not start below 0 and ends higher instead.
      */
     public static Axis covering(String label, DoubleStream values, double minSpan) {
         double[] all = values.filter(Double::isFinite).toArray();
-        double most = Arrays.stream(all).max().orElse(1);
-        double least = Math.min(Arrays.stream(all).min().orElse(0), most - minSpan);
+        double greatest = Arrays.stream(all).max().orElse(1);
+        double smallest = Arrays.stream(all).min().orElse(0);
+        double lowest = Math.min(smallest, greatest - minSpan);
+        boolean startsAtZero = smallest >= 0 && lowest < 0;
+        double least = startsAtZero ? 0 : lowest;
+        double most = startsAtZero ? minSpan : greatest;
         // Labels have twelve digits.
         double minShown = 1e-9 * Math.max(1, Math.max(Math.abs(least), Math.abs(most)));
         double step = niceStep(Math.max(most - least, minShown));

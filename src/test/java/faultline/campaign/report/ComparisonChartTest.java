@@ -78,6 +78,15 @@ class ComparisonChartTest {
         assertTrue(frame[0] <= bar[0] && bar[1] <= frame[1], () -> Arrays.toString(bar) + Arrays.toString(frame));
     }
 
+    /** A run of a second does not reach a wall. */
+    @Test
+    void aNumberThatNoRunHasIsNoChart() {
+        ControllerRuns runs = new ControllerRuns("wall-follower", List.of(run(1)), List.of());
+        assertEquals(
+                "<p>No data: the share of the wall that was followed.</p>\n",
+                ComparisonChart.spread(Metric.COVERAGE, List.of(runs)));
+    }
+
     @Test
     void onlyThePathOfTheFirstSeedIsThick() {
         SimulationSetup first = ROOM.withDuration(1);

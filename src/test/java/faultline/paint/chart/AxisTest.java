@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.DoubleStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -20,5 +21,15 @@ class AxisTest {
         List<String> labels = axis.ticks().stream().map(axis::tickLabel).toList();
         assertTrue(labels.size() > 1);
         assertEquals(labels.size(), Set.copyOf(labels).size(), labels::toString);
+    }
+
+    /** An error of 0.2 mm alone, with an axis of at least 1 mm. */
+    @Test
+    void anAxisOfNumbersThatAreNotNegativeDoesNotStartBelowZero() {
+        Axis axis = Axis.covering("x", DoubleStream.of(0.0002), 0.001);
+        assertEquals(0, axis.low());
+        assertEquals(0.001, axis.high(), 1e-12);
+        assertEquals(
+                -0.001, Axis.covering("x", DoubleStream.of(-0.0002, 0), 0.001).low(), 1e-12);
     }
 }
