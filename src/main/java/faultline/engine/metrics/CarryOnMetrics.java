@@ -67,15 +67,14 @@ public final class CarryOnMetrics implements TickObserver {
     /** Whether the clock starts only in a state of the built-in wall follower. */
     private final boolean needsFollowerState;
 
-    private final int[] passes;
-    private final double[] lastPass;
+    private final PlacePasses passes;
+    /** The wall of the path on which the robot was when the clock started. */
+    private final PassedWall wall = new PassedWall();
+
     private int path = -1;
     private double start = Double.NaN;
     private double deadline;
     private double travelled;
-    private double passedLength;
-    private double weightedPasses;
-    private double wallLength;
     private Vector2 last = Vector2.ZERO;
     /** Where the robot has been since the clock started, until the other walls are looked at. */
     private final List<Vector2> trail = new ArrayList<>();
@@ -116,8 +115,7 @@ public final class CarryOnMetrics implements TickObserver {
         this.speed = speed;
         this.onset = onset;
         this.needsFollowerState = needsFollowerState;
-        this.passes = new int[circuit.size()];
-        this.lastPass = new double[circuit.size()];
+        this.passes = new PlacePasses(circuit.size());
         this.deadline = onset + allowedTime(circuit.maxLength());
     }
 
@@ -275,15 +273,15 @@ public final class CarryOnMetrics implements TickObserver {
             otherWalls.visit(trail.get(i - 1), trail.get(i));
         }
         trail.clear();
-        passedInTime = otherWalls.share() >= REQUIRED_SHARE;
+        passedInTime = otherWalls.best().share() >= REQUIRED_SHARE;
     }
 
     private void startClock(Vector2 centre) {
         path = circuit.path(circuit.nearestPlace(centre));
         start = time;
         deadline = time + allowedTime(circuit.length(path));
-        for (int i = 0; i < passes.length; i++) {
-            wallLength += circuit.path(i) == path ? circuit.wallLength(i) : 0;
+        for (int i = 0; i < circuit.size(); i++) {
+            wall.addLength(circuit.path(i) == path ? circuit.wallLength(i) : 0);
         }
         last = centre;
         trail.add(centre);
@@ -309,12 +307,10 @@ public final class CarryOnMetrics implements TickObserver {
         if (circuit.path(place) != path) {
             return;
         }
-        if (passes[place] == 0 || travelled - lastPass[place] > OtherWalls.MIN_LAP) {
-            passedLength += passes[place] == 0 ? circuit.wallLength(place) : 0;
-            weightedPasses += circuit.wallLength(place);
-            passes[place]++;
+        int pass = passes.record(place, travelled);
+        if (pass > 0) {
+            wall.pass(circuit.wallLength(place), pass == 1);
         }
-        lastPass[place] = travelled;
     }
 
     /**
@@ -335,25 +331,17 @@ public final class CarryOnMetrics implements TickObserver {
      * other walls count, it is that of the wall of which the greatest share was passed.
      */
     public OptionalDouble share() {
-        return wallLength > 0
-                ? OptionalDouble.of(isOtherCounted() ? otherWalls.share() : ownShare())
-                : OptionalDouble.empty();
-    }
-
-    private double ownShare() {
-        return Math.min(1, passedLength / wallLength);
-    }
-
-    /** Returns whether another wall counts of which the robot has passed a greater share than of the first one. */
-    private boolean isOtherCounted() {
-        return otherWalls != null && otherWalls.share() > ownShare();
+        return wall.length() > 0 ? OptionalDouble.of(countedWall().share()) : OptionalDouble.empty();
     }
 
     /** {@return the number of times that this wall was passed since the clock started, on average over its length} */
     public OptionalDouble laps() {
-        return wallLength > 0
-                ? OptionalDouble.of(isOtherCounted() ? otherWalls.laps() : weightedPasses / wallLength)
-                : OptionalDouble.empty();
+        return wall.length() > 0 ? OptionalDouble.of(countedWall().laps()) : OptionalDouble.empty();
+    }
+
+    /** Returns the first wall, or another one that counts if the robot has passed a greater share of it. */
+    private PassedWall countedWall() {
+        return otherWalls != null && otherWalls.best().share() > wall.share() ? otherWalls.best() : wall;
     }
 
     /** {@return when the clock started, seconds; empty if it did not} */

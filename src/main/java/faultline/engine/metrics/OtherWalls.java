@@ -14,15 +14,11 @@ import faultline.geometry.Vector2;
  */
 final class OtherWalls {
 
-    /** The distance that the robot must drive before a pass of the same place counts again, metres. */
-    static final double MIN_LAP = 1.0;
-
     private static final int NONE = -1;
 
     private final WallCircuit circuit;
     private final BodyPaths bodyPaths;
-    private final int[] passes;
-    private final double[] lastPass;
+    private final PlacePasses passes;
     /** The walls along the paths that the robot can get to, by the first place of the path; null for other paths. */
     private final OtherWall[] walls;
 
@@ -35,7 +31,7 @@ final class OtherWalls {
     /**
      * The wall that counts and of which the robot has passed the greatest share; one without length if there is none.
      */
-    private OtherWall best = new OtherWall();
+    private PassedWall best = new PassedWall();
     /** The nearest of the places that the robot passes now; the robot drives along its walls. */
     private int nearest;
 
@@ -44,8 +40,7 @@ final class OtherWalls {
         this.circuit = circuit;
         bodyPaths = circuit.bodyPaths();
         int count = circuit.size();
-        passes = new int[count];
-        lastPass = new double[count];
+        passes = new PlacePasses(count);
         walls = new OtherWall[count];
         bodyWalls = new OtherWall[count];
         required = CarryOnMetrics.REQUIRED_SHARE * circuit.length(path);
@@ -73,7 +68,7 @@ final class OtherWalls {
         if (walls[path] == null) {
             walls[path] = new OtherWall();
         }
-        walls[path].length += length;
+        walls[path].passed.addLength(length);
     }
 
     /** Returns the length of the longest of the paths, metres. */
@@ -98,12 +93,11 @@ final class OtherWalls {
         if (wall == null) {
             return;
         }
-        if (passes[place] == 0 || travelled - lastPass[place] > MIN_LAP) {
-            wall.pass(circuit.wallLength(place), passes[place] == 0);
-            bodyWalls[bodyPaths.path(place)].pass(circuit.wallLength(place), passes[place] == 0);
-            passes[place]++;
+        int pass = passes.record(place, travelled);
+        if (pass > 0) {
+            wall.passed.pass(circuit.wallLength(place), pass == 1);
+            bodyWalls[bodyPaths.path(place)].passed.pass(circuit.wallLength(place), pass == 1);
         }
-        lastPass[place] = travelled;
         if (nearest == NONE || circuit.distance(place, centre) < circuit.distance(nearest, centre)) {
             nearest = place;
         }
@@ -112,37 +106,23 @@ final class OtherWalls {
     private void drive(OtherWall wall, double ahead) {
         wall.ahead += ahead;
         wall.counts |= Math.abs(wall.ahead) >= required;
-        best = wall.counts && wall.share() > best.share() ? wall : best;
+        best = wall.counts && wall.passed.share() > best.share() ? wall.passed : best;
     }
 
-    /** Returns the share that was passed of the wall that counts, in [0, 1]; 0 if none does. */
-    double share() {
-        return best.share();
+    /**
+     * Returns the wall that counts and of which the robot has passed the greatest share; one without length if none.
+     */
+    PassedWall best() {
+        return best;
     }
 
-    /** Returns how often that wall was passed, on average over its length. */
-    double laps() {
-        return best.weightedPasses / best.length;
-    }
-
-    /** One wall; lengths are in metres. */
+    /** A wall, and how far the robot has driven along it. */
     private static final class OtherWall {
-        private double length;
-        private double passedLength;
-        private double weightedPasses;
-        /** How far the robot has driven along it with the wall on its left, less what it has driven back. */
+        private final PassedWall passed = new PassedWall();
+        /** The distance driven with the wall on the left, less what the robot has driven back, metres. */
         private double ahead;
 
         /** Whether the robot has driven far enough along it. */
         private boolean counts;
-
-        void pass(double placeLength, boolean first) {
-            passedLength += first ? placeLength : 0;
-            weightedPasses += placeLength;
-        }
-
-        double share() {
-            return length > 0 ? Math.min(1, passedLength / length) : 0;
-        }
     }
 }
